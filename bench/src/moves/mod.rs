@@ -7,7 +7,6 @@ mod scenes;
 use std::path::PathBuf;
 
 use ptc_codegen::compare::{Entrants, Figures, Nominal, Operations, measured};
-use ptc_codegen::samples;
 use ptc_codegen::simulate::{Control, Process};
 use serde::{Deserialize, Serialize};
 
@@ -76,8 +75,7 @@ pub(crate) fn measure() -> Result<Vec<Move>> {
 fn ours(name: &str, stage: &Stage, program: PathBuf) -> Result<Move> {
     let step = format!("{}_step", stage.spec.name());
     let profile = callgrind::profile(&program, &["count"], &program.with_extension("callgrind"))?;
-    let code = stage.spec.sampled().map(|own| samples::controller(&stage.spec, own, Vec::new()));
-    let operations = code.as_ref().map(Operations::of).unwrap_or_default();
+    let operations = Operations::of(&stage.spec);
     let worst = worst(stage, &mut Emitted::new(program))?;
     let instructions = Some(profile.of(&step)?.mean());
     Ok(Move { ours: true, instructions, ..row(name, &worst, operations) })

@@ -5,15 +5,46 @@ use std::fmt::Write as _;
 use super::tables::section;
 use crate::moves::Move;
 
-/// A column: its name, its head, and its value in the unit of the head.
-type Column = (&'static str, &'static str, fn(&Move) -> f64);
+/// A column of the table.
+struct Column {
+    name: &'static str,
+    head: &'static str,
+    /// Decimals that are shown.
+    decimals: usize,
+    /// Value in the unit of the head.
+    value: fn(&Move) -> f64,
+}
+
+impl Column {
+    const fn new(
+        name: &'static str,
+        head: &'static str,
+        decimals: usize,
+        value: fn(&Move) -> f64,
+    ) -> Self {
+        Self { name, head, decimals, value }
+    }
+
+    fn of(&self, own: &Move) -> f64 {
+        (self.value)(own)
+    }
+
+    fn shown(&self, own: &Move) -> String {
+        format!("{:.*}", self.decimals, self.of(own))
+    }
+
+    /// The better value beside the other one.
+    fn against(&self, other: &Move, own: &Move) -> String {
+        format!("{} against {}", self.shown(other), self.shown(own))
+    }
+}
 
 static COLUMNS: [Column; 5] = [
-    ("error", "error at tau, um", |own| 1e6 * own.error),
-    ("peak", "peak, N", |own| own.peak),
-    ("energy", "energy, N^2 s", |own| own.energy),
-    ("ripple", "ripple, N", |own| own.ripple),
-    ("operations", "operations", |own| own.operations as f64),
+    Column::new("error", "error at tau, um", 1, |own| 1e6 * own.error),
+    Column::new("peak", "peak, N", 2, |own| own.peak),
+    Column::new("energy", "energy, N^2 s", 2, |own| own.energy),
+    Column::new("ripple", "ripple, N", 2, |own| own.ripple),
+    Column::new("operations", "operations", 0, |own| own.operations as f64),
 ];
 
 const ABOUT: &str = "\
@@ -31,47 +62,40 @@ pub(super) fn moves(text: &mut String, measured: &[Move]) {
     let (ours, others): (Vec<_>, Vec<_>) = measured.iter().partition(|own| own.ours);
     let about = format!("{}\n\n{ABOUT}", behind(&ours, &others));
     section(text, "Motions to rest", "moves", &about);
-    let heads: Vec<_> = COLUMNS.iter().map(|(_, head, _)| *head).collect();
+    let heads: Vec<_> = COLUMNS.iter().map(|column| column.head).collect();
     let _ = writeln!(text, "\n| controller | {} | instructions |", heads.join(" | "));
     let _ = writeln!(text, "| --- |{}", " ---: |".repeat(COLUMNS.len() + 1));
     for own in measured {
-        let values = COLUMNS.iter().map(|(name, _, value)| shown(name, value(own)));
-        let cells = values.collect::<Vec<_>>().join(" | ");
+        let cells: Vec<_> = COLUMNS.iter().map(|column| column.shown(own)).collect();
+        let cells = cells.join(" | ");
         let count = own.instructions.map_or(String::new(), |count| format!("{count:.0}"));
         let _ = writeln!(text, "| {} | {cells} | {count} |", own.name);
     }
 }
 
-fn shown(name: &str, value: f64) -> String {
-    match name {
-        "operations" => format!("{value:.0}"),
-        "error" => format!("{value:.1}"),
-        _ => format!("{value:.2}"),
-    }
-}
-
-/// What another controller does better than every design of ours, and of each one the design that is behind it in the
-/// fewest measures.
+/// Names the columns in which every design is behind, and for each other controller the design that is behind it in the
+/// fewest columns.
 fn behind(ours: &[&Move], others: &[&Move]) -> String {
     let columns = COLUMNS.iter().filter_map(|column| {
-        let (name, _, value) = column;
         let least = |rows: &[&Move]| {
-            rows.iter().min_by(|a, b| value(a).total_cmp(&value(b))).map(|own| (*own).clone())
+            let least = rows.iter().min_by(|a, b| column.of(a).total_cmp(&column.of(b)));
+            least.map(|own| (*own).clone())
         };
         let (own, other) = (least(ours)?, least(others)?);
-        let by = || format!("{name} ({} with {})", against(column, &other, &own), other.name);
-        (value(&other) < value(&own)).then(by)
+        let by = || format!("- {}: {}, {}", column.name, column.against(&other, &own), other.name);
+        (column.of(&other) < column.of(&own)).then(by)
     });
     let columns: Vec<_> = columns.collect();
     let first = match columns.is_empty() {
         true => "A design of ours is best in each column.".to_owned(),
-        false => format!("No design of ours is best in {}.", columns.join(", ")),
+        false => format!("Another controller is best in:\n\n{}", columns.join("\n")),
     };
     let lines = others.iter().filter_map(|other| {
         let nearest =
             ours.iter().min_by(|a, b| distance(a, other).total_cmp(&distance(b, other)))?;
         let columns = worse(nearest, other);
-        let told = |column: &&Column| format!("{} ({})", column.0, against(column, other, nearest));
+        let told =
+            |column: &&Column| format!("{} ({})", column.name, column.against(other, nearest));
         let told = match columns.is_empty() {
             true => "nothing".to_owned(),
             false => columns.iter().map(told).collect::<Vec<_>>().join(", "),
@@ -84,16 +108,12 @@ fn behind(ours: &[&Move], others: &[&Move]) -> String {
 
 /// The columns in which one is worse than another.
 fn worse(own: &Move, other: &Move) -> Vec<&'static Column> {
-    COLUMNS.iter().filter(|(_, _, value)| value(own) > value(other)).collect()
+    COLUMNS.iter().filter(|column| column.of(own) > column.of(other)).collect()
 }
 
 /// By how far one is behind another: the number of columns, then the largest ratio, which stays below 1000.
 fn distance(own: &Move, other: &Move) -> f64 {
     let columns = worse(own, other);
-    let ratios = columns.iter().map(|(_, _, value)| value(own) / value(other));
+    let ratios = columns.iter().map(|column| column.of(own) / column.of(other));
     columns.len() as f64 + 1e-3 * ratios.fold(0.0, f64::max)
-}
-
-fn against((name, _, value): &Column, other: &Move, own: &Move) -> String {
-    format!("{} against {}", shown(name, value(other)), shown(name, value(own)))
 }

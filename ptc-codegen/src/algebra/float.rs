@@ -1,4 +1,5 @@
-//! Exact numbers as long floating-point numbers, and back.
+//! Exact numbers as long floating-point numbers, and back. The oracle of `reference` has arithmetic of its own, so that
+//! it shares no line with what it judges.
 
 use astro_float_num::{BigFloat, RoundingMode, WORD_BIT_SIZE};
 use num_traits::{Signed, ToPrimitive, Zero};

@@ -20,7 +20,7 @@ pub struct Scenes {
 }
 
 impl Scenes {
-    /// Returns the corners and at most `draws` draws of a campaign; none where nothing is drawn.
+    /// Returns the corners of a campaign and at most `draws` draws, none where no quantity is uncertain.
     pub fn of(campaign: &Campaign, draws: u64) -> Self {
         let mut all = campaign.corners();
         let corners = all.len();

@@ -10,10 +10,9 @@ use super::tuning::tuned;
 use crate::check::sampled::{Margin, stability};
 use crate::reference::Status;
 use crate::request::Spec;
-use crate::samples;
 use crate::simulate::{Control, Controller, Failure, Values};
 
-/// A controller, with what is known of it without a run.
+/// A controller with its figures that need no run.
 #[derive(Clone, Debug)]
 pub struct Entrant {
     /// Its name in tables.
@@ -143,14 +142,13 @@ fn untuned(given: Option<f64>) -> String {
 
 /// The controller of the design.
 fn own(spec: &Spec) -> Result<Entrant, Failure> {
-    let code = spec.sampled().map(|sampled| samples::controller(spec, sampled, Vec::new()));
     let margin = stability(spec, None).ok();
     Ok(Entrant {
         name: "the design",
         control: Contestant::Own(Box::new(Controller::new(spec)?)),
         bandwidth: None,
         margin: margin.map(|own| Margin { gain: own.gain, delay: own.delay }),
-        operations: code.as_ref().map(Operations::of).unwrap_or_default(),
+        operations: Operations::of(spec),
     })
 }
 

@@ -32,6 +32,12 @@ struct Closed {
     d: DVector<f64>,
 }
 
+/// State and u of a loop after one sample.
+struct Response {
+    state: DVector<f64>,
+    u: f64,
+}
+
 impl<'a> Loop<'a> {
     /// Returns the loop of a regulator.
     pub(super) fn new(nominal: &'a Nominal, regulator: &'a dyn Regulator) -> Self {
@@ -54,14 +60,7 @@ impl<'a> Loop<'a> {
             let x = DVector::from_row_slice(x);
             let y = &nominal.c * &x;
             let u = regulator.step(kept, y.as_slice(), &rest, Range::ALL);
-            let acts = match under_way.first().copied() {
-                Some(oldest) => {
-                    under_way.rotate_left(1);
-                    under_way[late - 1] = u;
-                    oldest
-                }
-                None => u,
-            };
+            let acts = Nominal::acting(under_way, u);
             (c[column], d[column]) = (gain * acts, u);
             let next = &nominal.phi * x + &nominal.gamma * (gain * acts);
             state[..n].copy_from_slice(next.as_slice());
@@ -96,8 +95,8 @@ impl<'a> Loop<'a> {
         all.sum::<f64>().sqrt()
     }
 
-    /// The state and u behind a sample in which one measured value is 1 and all else is 0.
-    fn of_sensor(&self, j: usize) -> (DVector<f64>, f64) {
+    /// The response to a sample in which one measured value is 1 and all else is 0.
+    fn of_sensor(&self, j: usize) -> Response {
         let Self { nominal, regulator } = self;
         let (n, late) = (nominal.order(), nominal.delay);
         let mut y = vec![0.0; nominal.c.nrows()];
@@ -109,7 +108,7 @@ impl<'a> Loop<'a> {
             0 => state.rows_mut(0, n).axpy(u, &nominal.gamma, 1.0),
             _ => state[n + late - 1] = u,
         }
-        (state, u)
+        Response { state, u }
     }
 
     /// Returns the input gains and the samples of delay with which it is stable; `None` if it is not stable as it is.
@@ -124,8 +123,9 @@ impl Closed {
         schur.is_some_and(|own| own.complex_eigenvalues().iter().all(|z| z.norm() < 1.0))
     }
 
-    /// Sum of the squares of u behind one sample that leaves this state and this u: of all samples, by doubling.
-    fn variance(&self, (state, u): &(DVector<f64>, f64)) -> f64 {
+    /// Sum of the squares of u from a sample on, over all samples, by doubling.
+    fn variance(&self, response: &Response) -> f64 {
+        let Response { state, u } = response;
         let (mut step, mut sum) = (self.a.clone(), state * state.transpose());
         for _ in 0..DOUBLINGS {
             let more = &step * &sum * step.transpose();

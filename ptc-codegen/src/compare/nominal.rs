@@ -11,7 +11,7 @@ use crate::program::range::Range;
 use crate::request::{Spec, one_or_each};
 use crate::simulate::Failure;
 
-/// What a refusal ends with.
+/// Help of every refusal.
 const SUPPORTED: &str = "`compare` supports `clock = \"samples\"`, one input, a whole number of samples of delay and a \
                          plant that is a chain of order 2 or 3, or A and B under [plant]";
 
@@ -134,6 +134,22 @@ impl Nominal {
         let most = self.noise.max();
         let floor = if most > 0.0 { 1e-12 * most } else { 1.0 };
         self.noise.map(|own| own.max(floor))
+    }
+
+    /// Returns the input that acts when `u` is given: `u`, or with a delay the oldest of those under way, which stand
+    /// oldest first.
+    pub(super) fn acting(under_way: &mut [f64], u: f64) -> f64 {
+        match under_way.split_first() {
+            None => u,
+            Some((oldest, _)) => {
+                let oldest = *oldest;
+                under_way.rotate_left(1);
+                if let Some(latest) = under_way.last_mut() {
+                    *latest = u;
+                }
+                oldest
+            }
+        }
     }
 
     /// Number of states.

@@ -3,7 +3,9 @@
 use std::fmt;
 use std::ops::Add;
 
-use crate::code::{Code, Expr, Finish, Operator, Statement, Test};
+use crate::code::{Expr, Finish, Operator, Statement, Test};
+use crate::request::Spec;
+use crate::samples;
 
 /// Number of operations on floating-point numbers. Comparisons and copies are not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,9 +22,10 @@ impl Operations {
         self.products + self.sums
     }
 
-    /// Returns those of the longest way through `step` of a controller without loops.
-    pub fn of(code: &Code) -> Self {
-        let step = code.function("step");
+    /// Returns those of the longest way through the emitted `step` of a design in samples.
+    pub fn of(spec: &Spec) -> Self {
+        let code = spec.sampled().map(|sampled| samples::controller(spec, sampled, Vec::new()));
+        let step = code.as_ref().and_then(|code| code.function("step"));
         step.map_or_else(Self::default, |step| of_block(&step.body) + of_end(&step.finish))
     }
 

@@ -56,7 +56,7 @@ pub(super) enum Profile {
     JerkLimited(Box<JerkLimited>),
 }
 
-/// How a profile is made.
+/// Kind of profile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// The polynomial of degree 2n + 1 that begins and ends with the input 0 it needs at rest: for a chain of order 2
@@ -84,7 +84,7 @@ impl Profile {
             Self::JerkLimited(own) => {
                 let n = flat.rows.nrows();
                 let (x, last) = own.at(t.max(0.0));
-                // Of a chain z is x_1 in parts of the gain.
+                // z of a chain is x_1 in parts of the gain.
                 let gain = flat.states[(0, 0)];
                 DVector::from_fn(n + 1, |i, _| if i < n { x[i] } else { last } / gain)
             }

@@ -18,7 +18,7 @@ use crate::simulate::{Control, Failure, Values};
 /// final state stays off, and with ten times as much the last gains raise the peak.
 const TERMINAL: f64 = 1e3;
 
-/// What a rival does until the deadline. Behind it each one regulates around rest.
+/// Control of a rival until the deadline. After it each one regulates around rest.
 #[derive(Clone, Debug)]
 pub enum Law {
     /// Follows a profile with a PID.
@@ -38,7 +38,7 @@ pub struct Rival {
     law: Law,
     /// Gains of the finite horizon by the samples that its input has left, from 1.
     gains: Vec<DMatrix<f64>>,
-    /// What the regulator keeps, and the profile; `None` before the first sample.
+    /// State of the regulator, and the profile; `None` before the first sample.
     run: Option<(Vec<f64>, Option<Profile>)>,
     /// Sample at which the run began, and its samples.
     begin: f64,

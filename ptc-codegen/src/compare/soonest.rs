@@ -46,7 +46,7 @@ fn second([x, v]: [f64; 2], least: f64, most: f64) -> Option<f64> {
         let square = last * (v * v - 2.0 * first * x) / (last - first);
         let speed = -last.signum() * square.max(0.0).sqrt();
         let times = [(speed - v) / first, -speed / last];
-        // What rounding makes of a start on the curve of the second limit.
+        // Rounding moves a start off the curve of the second limit.
         let negligible = -1e-12 * (times[0].abs() + times[1].abs());
         (square >= -1e-12 * v * v && times[0] >= negligible).then(|| times[0].max(0.0) + times[1])
     };

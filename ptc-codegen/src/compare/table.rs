@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::column::{COLUMNS, ahead};
 use super::comparison::{Comparison, Row};
 use super::entrant::Contestant;
-use super::tuning::MODULUS;
+use super::tuning::{MODULUS, NOISE, SHARE};
 use crate::diagnostic::digits;
 
 impl Comparison {
@@ -83,7 +83,8 @@ impl Comparison {
     /// Returns the rule by which the rivals are tuned.
     pub fn rule() -> String {
         format!(
-            "each has the largest bandwidth with a modulus margin of {MODULUS}, or of nine tenths of a slow loop's if that is less, and at most 2 % of the limit as noise of u"
+            "largest bandwidth with a modulus margin of {MODULUS} (or {SHARE} of a slow loop's, if less) and noise of u of at most {} % of its limit",
+            100.0 * NOISE
         )
     }
 }

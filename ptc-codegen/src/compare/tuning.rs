@@ -9,10 +9,10 @@ pub const MODULUS: f64 = 0.5;
 
 /// Part of the modulus margin of the slowest loop that is enough where this is below [`MODULUS`]: an observer leaves a chain
 /// of order 3 less than that at any bandwidth.
-const SHARE: f64 = 0.9;
+pub(super) const SHARE: f64 = 0.9;
 
 /// Part of the limit of u that the errors of the sensors may move it by, as a standard deviation.
-const NOISE: f64 = 0.02;
+pub(super) const NOISE: f64 = 0.02;
 
 /// Bandwidths that are tried, in rad per sample.
 const LEAST: f64 = 1.0 / 256.0;

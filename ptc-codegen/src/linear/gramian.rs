@@ -76,6 +76,11 @@ fn agree(a: &[Vec<BigRational>], b: &[Vec<BigRational>]) -> bool {
 
 type Row = Vec<BigFloat>;
 
+fn identity(n: usize, rounding: Rounding) -> Vec<Row> {
+    let unit = |i: usize| (0..n).map(|j| rounding.whole(i64::from(i == j))).collect();
+    (0..n).map(unit).collect()
+}
+
 /// W_M and the powers of Phi while M rises.
 struct Sum {
     rounding: Rounding,
@@ -99,8 +104,7 @@ impl Sum {
         let exact = |row: &[BigRational]| row.iter().map(|value| rounding.exact(value)).collect();
         let n = plant.gamma.len();
         let phi: Vec<Row> = plant.phi.rows().iter().map(|row| exact(row)).collect();
-        let unit = |i: usize| (0..n).map(|j| rounding.whole(i64::from(i == j))).collect();
-        let identity: Vec<Row> = (0..n).map(unit).collect();
+        let identity = identity(n, rounding);
         Self {
             rounding,
             weight: plant.weight,
@@ -186,9 +190,8 @@ impl Sum {
 
     /// Phi^`exponent`.
     fn raised(&self, exponent: u32) -> Vec<Row> {
-        let n = self.phi.len();
-        let unit = |i: usize| (0..n).map(|j| self.rounding.whole(i64::from(i == j))).collect();
-        let (mut power, mut square): (Vec<Row>, _) = ((0..n).map(unit).collect(), self.phi.clone());
+        let identity = identity(self.phi.len(), self.rounding);
+        let (mut power, mut square) = (identity, self.phi.clone());
         let mut rest = exponent;
         while rest > 0 {
             if rest % 2 == 1 {

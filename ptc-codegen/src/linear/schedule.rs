@@ -21,8 +21,6 @@ const MORE_PEAK: f64 = 7.5e-3;
 pub struct Schedule {
     /// Weights of the law, and of the law of the last samples where it is another one.
     pub weights: Weights,
-    /// The samples to go below which the gains stay: the order of the loop.
-    pub least: u32,
     /// Parts of the table with the same distance between their nodes, from the end on.
     pub pieces: Vec<Piece>,
     /// K_M of each node, for u = -K_M x.
@@ -76,19 +74,12 @@ pub(crate) enum Unscheduled {
 impl Demand<'_> {
     /// Returns the coarsest schedule whose loop needs no more than that of a finer one.
     pub(crate) fn schedule(&self) -> Result<Schedule, Unscheduled> {
-        let mut per = COARSE;
-        let mut own = match self.most {
-            Some(most) => self.within(most)?,
-            None => self.of(per)?,
-        };
-        if self.most.is_some_and(|most| self.numbers(COARSE) > most) {
-            return Ok(own);
-        }
-        while per < FINEST && 2 * per < self.samples {
+        let fits = |per: &u32| self.most.is_none_or(|most| self.numbers(*per) <= most);
+        let first = (0..=COARSE.ilog2()).map(|halved| COARSE >> halved).find(fits);
+        let mut per = first.ok_or_else(|| Unscheduled::Numbers(self.numbers(1)))?;
+        let mut own = self.of(per)?;
+        while per < FINEST && 2 * per < self.samples && fits(&(2 * per)) {
             per *= 2;
-            if self.most.is_some_and(|most| self.numbers(per) > most) {
-                break;
-            }
             let finer = self.of(per)?;
             if self.is_as_good(&own, &finer) {
                 break;
@@ -96,15 +87,6 @@ impl Demand<'_> {
             own = finer;
         }
         Ok(own)
-    }
-
-    /// The finest of the coarse grids that has no more than `most` numbers.
-    fn within(&self, most: usize) -> Result<Schedule, Unscheduled> {
-        let fits = (0..=COARSE.ilog2()).map(|halved| COARSE >> halved);
-        match fits.into_iter().find(|per| self.numbers(*per) <= most) {
-            Some(per) => self.of(per),
-            None => Err(Unscheduled::Numbers(self.numbers(1))),
-        }
     }
 
     fn least(&self) -> u32 {
@@ -132,7 +114,7 @@ impl Demand<'_> {
         if !early.is_empty() {
             gains.extend(of(self.weights.law, early)?);
         }
-        Ok(Schedule { weights: self.weights, least: self.least(), pieces, gains, bytes: None })
+        Ok(Schedule { weights: self.weights, pieces, gains, bytes: None })
     }
 
     /// Returns true if the loop of `own` needs hardly more than that of `finer`.
@@ -173,6 +155,11 @@ impl Demand<'_> {
 }
 
 impl Schedule {
+    /// The samples to go below which the gains stay: the order of the loop.
+    pub fn least(&self) -> u32 {
+        self.pieces.first().map_or(0, |piece| piece.from)
+    }
+
     /// The numbers of the table.
     pub fn numbers(&self) -> usize {
         self.gains.iter().map(Vec::len).sum()
@@ -188,7 +175,7 @@ impl Schedule {
 
     /// Returns the row before so many samples to go, and the part of the way to the next one.
     pub fn place(&self, left: u32) -> (usize, f64) {
-        let left = left.max(self.least);
+        let left = left.max(self.least());
         let piece = self.pieces.iter().rev().find(|piece| piece.from <= left);
         let Some(Piece { from, spacing, row }) = piece else { return (0, 0.0) };
         let (cells, rest) = ((left - from) / spacing, (left - from) % spacing);

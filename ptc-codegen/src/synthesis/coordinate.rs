@@ -24,7 +24,7 @@ pub(super) enum Coordinate {
     Round,
     /// The gains of the observer behind its round.
     Lasting,
-    /// How fast the observer is in its round.
+    /// Speed of the observer in its round.
     ObserverSpeed,
     /// A stationary observer in place of one with a round, and its drift.
     Stationary,

@@ -44,7 +44,7 @@ pub(super) fn keys(search: &mut Search<'_>, candidates: &[Candidate]) -> Control
     for candidate in candidates {
         best = with_speed(best, candidate)?;
     }
-    // What the other keys are for one law may lead nowhere for another.
+    // Good values of the other keys for one law may lead nowhere for another.
     for candidate in candidates {
         with_speed(start.clone(), candidate)?;
     }

@@ -78,7 +78,7 @@ pub(super) fn run(campaign: &Campaign, trial: &Trial, scenarios: &[Scenario]) ->
     campaign.outcomes(trial, scenarios, &|| ()).into_iter().map(look).collect()
 }
 
-/// What the worst case of the loop that runs says of each objective; empty where no loop runs.
+/// Returns the verdict of the worst case on each objective; empty where no loop runs.
 pub(super) fn worst_case(campaign: &Campaign) -> Vec<Proof> {
     if campaign.around.is_some() { bound::proved(campaign) } else { Vec::new() }
 }

@@ -34,7 +34,7 @@ pub struct Probe {
     share: f64,
     /// True if it was left as it was worse than another one in a few of them.
     is_left: bool,
-    /// What the worst case says of each objective; `None` before the checks and the worst case were asked.
+    /// Verdict of the worst case on each objective; `None` before the checks and the worst case have run.
     proofs: Option<Vec<Proof>>,
     /// True once all scenarios were run.
     is_assessed: bool,

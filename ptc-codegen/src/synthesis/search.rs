@@ -89,7 +89,7 @@ impl<'a> Search<'a> {
         let is_new = !self.probes.contains_key(choice);
         if is_new {
             let probe = Probe::new(self.wish, choice);
-            // What the reader refuses is no try.
+            // A choice that the reader refuses is no try.
             if probe.is_read() {
                 self.one_more()?;
             }

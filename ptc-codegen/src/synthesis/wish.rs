@@ -28,7 +28,7 @@ pub struct Wish<'a> {
     /// The design, with a mapping and poles in place of what is missing.
     spec: Spec,
     campaign: Campaign,
-    /// What stands in place of what is missing.
+    /// Values in place of the missing ones.
     stand_in: Choice,
     /// The same in samples, where the clock is open and that one is legal too.
     in_samples: Option<Spec>,

@@ -165,7 +165,7 @@ fn pictures_have_a_line_for_each_controller() {
     }
 }
 
-/// What is not supported is refused with what is; other mistakes say what to give.
+/// Refusals name the supported plants; other mistakes say what to give.
 #[test]
 fn refusals_say_what_is_supported() {
     let example = |name: &str| {

@@ -34,16 +34,16 @@ fn number(spec: &Spec, parameter: Parameter) -> Option<&BigRational> {
 fn delay_law(spec: &Spec) -> Option<Choice> {
     let sampled = spec.sampled().filter(|own| own.leaves_delay_law && own.delay.inputs() > 0)?;
     let reason = match sampled.delay_law {
-        DelayLaw::Predict if spec.schedule().is_some() => {
-            "the gains are those of the plant; its state is predicted over the delay"
-        }
         DelayLaw::Predict => {
-            "the poles are those of the plant; its state is predicted over the delay"
+            let what = if spec.schedule().is_some() { "gains" } else { "poles" };
+            format!("the {what} are those of the plant; its state is predicted over the delay")
         }
-        DelayLaw::Extend => "the loop has a pole, or a gain, for each sample of delay too",
+        DelayLaw::Extend => {
+            "the loop has a pole, or a gain, for each sample of delay too".to_owned()
+        }
     };
     let value = sampled.delay_law.name().to_owned();
-    Some(Choice { key: "delay_law", value, reason: reason.to_owned() })
+    Some(Choice { key: "delay_law", value, reason })
 }
 
 /// The gains of the poles, of each output where there are several.

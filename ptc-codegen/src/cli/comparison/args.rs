@@ -25,7 +25,7 @@ Examples:
   ptc-codegen compare stage.toml --scenarios 1000 --format json
   ptc-codegen compare stage.toml --bandwidth 80";
 
-/// What is asked of a comparison.
+/// Flags of a comparison.
 #[derive(Debug, Args)]
 pub(crate) struct Compare {
     #[command(flatten)]

@@ -61,7 +61,7 @@ fn campaign(request: &Compare, mut source: Source) -> Result<Campaign, Failure> 
     if let Err(found) = spec.needs_law("compare") {
         return given.finish(None, found);
     }
-    // What is not supported is told before what else is missing.
+    // A plant that is not supported comes before a key that is missing.
     Nominal::of(&spec)?;
     let states = spec.state_names();
     if let Some(text) = &request.x0 {

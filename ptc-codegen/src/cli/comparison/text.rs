@@ -47,7 +47,7 @@ fn counted(campaign: &Campaign, scenes: &Scenes) -> String {
     }
 }
 
-/// How to see the loop of the design in its worst scenario.
+/// Returns the command that runs the loop of the design in its worst scenario.
 fn again(request: &Compare, campaign: &Campaign, comparison: &Comparison) -> String {
     let scenario = campaign.text_of(&comparison.worst);
     let constants = comparison.worst.point.get(1 + campaign.x0.len()..).unwrap_or_default();

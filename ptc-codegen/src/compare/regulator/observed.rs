@@ -49,7 +49,7 @@ impl Observed {
         &self.feedback
     }
 
-    /// The state at the time from which the next input acts, of what is kept.
+    /// Returns the state at the time from which the next input acts.
     fn ahead(&self, kept: &[f64]) -> DVector<f64> {
         let n = self.nominal.order();
         let x = DVector::from_row_slice(&kept[..n]);
@@ -72,16 +72,7 @@ impl Observed {
         kept.iter_mut().zip(&correction).for_each(|(own, correction)| *own += correction);
         let error = self.ahead(kept) - &target.later;
         let (u, _) = limits.clip(target.u - (gains * error)[0] - kept[n]);
-        // The oldest input under way acts, and this one is the latest.
-        let under_way = &mut kept[n + 1..];
-        let acts = match under_way.first().copied() {
-            Some(oldest) => {
-                under_way.rotate_left(1);
-                under_way[self.nominal.delay - 1] = u;
-                oldest
-            }
-            None => u,
-        };
+        let acts = Nominal::acting(&mut kept[n + 1..], u);
         let mut next = &self.with_constant * DVector::from_row_slice(&kept[..=n]);
         next.rows_mut(0, n).axpy(acts, &self.nominal.gamma, 1.0);
         kept[..=n].copy_from_slice(next.as_slice());

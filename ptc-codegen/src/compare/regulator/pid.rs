@@ -44,7 +44,7 @@ impl Pid {
     }
 }
 
-/// What it keeps: the integral of the error, the last error, and that of the speed.
+/// State of a PID: the integral of the error, the last error, and that of the speed.
 const KEPT: usize = 3;
 
 impl Regulator for Pid {

@@ -46,7 +46,7 @@ pub fn read_scenarios(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<Di
     with_plant(entries, spec, Objectives::Optional)
 }
 
-/// Whether a campaign needs an objective.
+/// Need of a campaign for an objective.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Objectives {
     Required,

@@ -9,7 +9,7 @@ use super::plant::{Plant, double, number};
 use super::rest::{PLANTS, REST, listed, rows};
 use super::{code, read};
 
-/// What a loop needs: the weighted sum of u^2, and the greatest |u|.
+/// Effort of a loop: the weighted sum of u^2, and the greatest |u|.
 struct Effort {
     energy: f64,
     peak: f64,
@@ -119,7 +119,7 @@ fn design([a, b, _, h]: [&str; 4], samples: u32, delay: &str, weight: u32) -> (S
 
 /// No other input that ends at rest needs less, whatever the delay and the weight.
 #[test]
-fn no_input_needs_less() {
+fn energy_and_peak_are_the_least() {
     for (name, plant) in PLANTS {
         for (delay, late) in [("0", 0), ("0.3", 1), ("2", 2)] {
             for (samples, weight) in [(24, 0), (24, 2), (90, 1)] {
@@ -141,7 +141,7 @@ fn no_input_needs_less() {
 
 /// A table of a few bytes costs energy, not rest.
 #[test]
-fn a_small_table_ends_at_rest() {
+fn limited_table_ends_at_rest() {
     let (text, exact) = design(PLANTS[0].1, 900, "1", 0);
     let small = text.replace("[plant]", "gain_bytes = 600\n[plant]");
     let bytes = |text: &str| code(text).tables[0].bytes(ptc_codegen::parameter::Precision::F64);
@@ -153,7 +153,7 @@ fn a_small_table_ends_at_rest() {
 }
 
 #[test]
-fn what_a_table_cannot_be_is_refused() {
+fn invalid_tables_are_refused_once() {
     let refused = |text: &str, wanted: &str| {
         let found = read(text).expect_err(text);
         let [one] = found.as_slice() else { panic!("{text}: {found:?}") };
