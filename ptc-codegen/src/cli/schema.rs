@@ -10,6 +10,9 @@ Examples:
   ptc-codegen schema > ptc-design.schema.json
   #:schema ./ptc-design.schema.json     first line of a design, for editors with Even Better TOML";
 
+/// Where the schema of the newest version is found; `docs/design.schema.json` is its copy.
+const ID: &str = "https://raw.githubusercontent.com/ptc-codegen/ptc/main/docs/design.schema.json";
+
 /// The schema as text.
 pub(crate) fn schema() -> String {
     // Parameters of every controller may be given without `params`.
@@ -57,6 +60,7 @@ pub(crate) fn schema() -> String {
     }
     let head = [
         ("$schema", "https://json-schema.org/draft/2020-12/schema"),
+        ("$id", ID),
         ("title", "Design of a prescribed-time controller"),
     ];
     let mut schema: Map<_, _> =

@@ -9,6 +9,20 @@ use std::process::Command;
 use serde_json::Value;
 use support::words::stdout;
 
+/// The copy of the schema in `docs/` is what the command prints; `UPDATE_GOLDEN=1` writes it.
+#[test]
+fn published_schema_is_up_to_date() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/design.schema.json");
+    let printed = stdout(&["schema"]);
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&path, &printed).expect("writable");
+    }
+    assert!(fs::read_to_string(&path).expect("a schema") == printed, "docs/design.schema.json");
+    let schema: Value = serde_json::from_str(&printed).expect("JSON");
+    let id = schema["$id"].as_str().expect("an identifier");
+    assert!(id.ends_with("/docs/design.schema.json"), "{id}");
+}
+
 #[test]
 fn the_schema_takes_every_example_and_no_other_key() {
     let schema: Value = serde_json::from_str(&stdout(&["schema"])).expect("JSON");
