@@ -78,6 +78,9 @@ const ELASTIC: &str = include_str!("../../../examples/elastic.toml");
 
 const RESONANCE: &str = include_str!("../../../docs/guide/resonance.md");
 
+/// A plant for the stage of docs/start.md.
+const ROBUST: &str = include_str!("../../../docs/guide/robust.md");
+
 const AXES: &str = include_str!("../../../docs/guide/axes.md");
 
 const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
@@ -93,7 +96,7 @@ const PAGES: [(&str, &str); 42] = [
     ("guide/resonance.md", RESONANCE),
     ("guide/axes.md", AXES),
     ("guide/python.md", include_str!("../../../docs/guide/python.md")),
-    ("guide/elsewhere.md", include_str!("../../../docs/guide/elsewhere.md")),
+    ("guide/robust.md", ROBUST),
     ("start.md", START),
     ("explorer.md", include_str!("../../../docs/explorer.md")),
     ("catalogue.md", include_str!("../../../docs/catalogue.md")),

@@ -6,8 +6,8 @@ use std::process::Command;
 
 use super::{
     AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, PAGES,
-    PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, SAMPLES, SIMULATE, TABLE, TANK, TRACK,
-    VERIFY, blocks_of, folder, shell,
+    PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE, TANK,
+    TRACK, VERIFY, blocks_of, folder, shell,
 };
 
 /// Returns the output of `line` in `folder`; a refused design is not a failure.
@@ -68,6 +68,9 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("stationary.toml"), stationary).expect("writable");
     let gated = ENCODER.replace("[params]", &format!("{gate}\n[params]"));
     fs::write(folder.join("gated.toml"), gated).expect("writable");
+    let [uncertain_stage] = &blocks_of(ROBUST, "toml")[..] else { panic!("a plant") };
+    let robust = format!("{ENCODER}\n{uncertain_stage}");
+    fs::write(folder.join("robust.toml"), robust).expect("writable");
     assert_eq!(motor, MOTOR);
     fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
     let [shown @ .., uncertain] = &blocks_of(MODELS, "toml")[..] else { panic!("designs") };
@@ -128,10 +131,10 @@ fn pages_show_what_is_printed() {
     for picture in [
         "axes.svg",
         "choose.svg",
-        "elsewhere.svg",
         "noise.svg",
         "period.svg",
         "python.svg",
+        "robust.svg",
         "sensors.svg",
         "torque.svg",
     ] {
