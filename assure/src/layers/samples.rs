@@ -16,12 +16,12 @@ pub(super) const LAYER: Layer = Layer {
     claim: "Emitted C with a clock in samples, in the loop with the exact chain in 120 digits, is at \
             rest at sample N, and an observer alone has the state at sample N_o: orders 1 to 4, \
             delays, N = n + 2 too, observers, unknown forces, references. The figures of \
-            README.md, docs/samples.md and docs/references.md are those of this machine.",
+            docs/time.md, docs/samples.md and docs/references.md are those of this machine.",
     tools: &[PYTHON],
     run,
 };
 
-const README: &str = include_str!("../../../README.md");
+const TIME: &str = include_str!("../../../docs/time.md");
 
 const PAGE: &str = include_str!("../../../docs/samples.md");
 
@@ -38,7 +38,7 @@ fn run(context: &Context) -> Result<Finding> {
         ("follow", REFERENCES, Some("a plant that follows with an input gain off by 1e-6")),
         ("stage", PAGE, None),
         ("energy", PAGE, None),
-        ("table", README, None),
+        ("table", TIME, None),
     ];
     let due = context.in_turn(all);
     let names: Vec<_> = due.iter().map(|(what, ..)| *what).collect();

@@ -30,11 +30,13 @@ const VERIFY: &str = include_str!("../../../docs/verify.md");
 
 const DESIGN: &str = include_str!("../../../docs/design.md");
 
+const COMPARE: &str = include_str!("../../../docs/compare.md");
+
 const TIME: &str = include_str!("../../../docs/time.md");
 
 const SAMPLES: &str = include_str!("../../../docs/samples.md");
 
-/// The design of the README and of docs/start.md, which docs/samples.md uses too.
+/// The design of the README, which docs/start.md and docs/samples.md use too.
 const ENCODER: &str = include_str!("../../../examples/encoder.toml");
 
 /// The designs of several axes of the guide.
@@ -118,7 +120,7 @@ const PAGES: [(&str, &str); 42] = [
     ("simulate.md", SIMULATE),
     ("verify.md", VERIFY),
     ("design.md", DESIGN),
-    ("compare.md", include_str!("../../../docs/compare.md")),
+    ("compare.md", COMPARE),
     ("assurance/README.md", include_str!("../../../docs/assurance/README.md")),
     ("assurance/eva.md", include_str!("../../../docs/assurance/eva.md")),
     ("assurance/selftest.md", SELFTEST),
@@ -207,29 +209,46 @@ fn walk(page: &str, folder: &Path) {
     assert_eq!(&found, expected);
 }
 
-#[test]
-fn tutorial_runs_from_plant_to_firmware() {
-    let folder = folder("readme");
-    assert_eq!(blocks_of(START, "toml"), [ENCODER]);
-    assert_eq!(blocks_of(README, "toml"), [ENCODER]);
+/// Makes a folder with the designs of the README and of docs/start.md.
+fn folder_with_examples(name: &str) -> PathBuf {
+    let folder = folder(name);
     fs::create_dir(folder.join("examples")).expect("writable");
     fs::write(folder.join("examples/encoder.toml"), ENCODER).expect("writable");
     fs::write(folder.join("examples/pendulum.toml"), PENDULUM).expect("writable");
-    for command in runs(README) {
-        shell(&command, &folder);
-    }
-    for file in ["out/ptc_exp3.h", "out/ptc_exp3.c", "out/stage.h", "out/stage.c", "out/x.svg"] {
-        assert!(folder.join(file).is_file(), "{file}");
-    }
-    walk(START, &folder);
-    let [shown] = &blocks_of(README, "text")[..] else { panic!("one output") };
-    let all = blocks_of(START, "text").concat();
-    assert!(shown.lines().all(|line| all.contains(line)), "{shown}");
+    folder
 }
 
-/// The README's figures beside other tools are those of the page that a command writes.
 #[test]
-fn readme_comparison_matches_the_benchmarks() {
+fn tutorial_runs_from_plant_to_firmware() {
+    let folder = folder_with_examples("tutorial");
+    assert!(blocks_of(START, "toml").is_empty(), "the README shows the design");
+    walk(START, &folder);
+    for file in ["out/stage.h", "out/stage.c"] {
+        assert!(folder.join(file).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn readme_shows_the_stage() {
+    let folder = folder_with_examples("readme");
+    assert_eq!(blocks_of(README, "toml"), [ENCODER]);
+    let printed: String = runs(README).iter().map(|command| shell(command, &folder)).collect();
+    for file in ["out/ptc_exp3.h", "out/ptc_exp3.c", "out/x.svg"] {
+        assert!(folder.join(file).is_file(), "{file}");
+    }
+    let [shown] = &blocks_of(README, "text")[..] else { panic!("one output") };
+    assert!(shown.lines().all(|line| printed.lines().any(|own| own == line)), "{shown}");
+    let drawn = fs::read_to_string(folder.join("out/x.svg")).expect("a picture");
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/stage.svg");
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&kept, &drawn).expect("writable");
+    }
+    assert!(drawn == fs::read_to_string(kept).expect("a picture"), "docs/stage.svg");
+}
+
+/// The figures of docs/compare.md beside other tools are those of the page that a command writes.
+#[test]
+fn comparison_of_tools_matches_the_benchmarks() {
     let rows: Vec<Vec<_>> = BENCHMARKS
         .lines()
         .filter(|line| line.starts_with("| "))
@@ -244,7 +263,7 @@ fn readme_comparison_matches_the_benchmarks() {
         ("| instructions of a step, `tan`, n = 6 |", "tan", "6", 3),
         ("| error of u for T/tau down to 1e-12, `tan`, n = 6 |", "tan", "6", 7),
     ] {
-        let line = README.lines().find(|line| line.starts_with(start)).expect("a row");
+        let line = COMPARE.lines().find(|line| line.starts_with(start)).expect("a row");
         let shown: Vec<_> = line[start.len()..].split('|').map(str::trim).collect();
         let hand = if n == "3" { "hand" } else { "hand_loop" };
         let casadi = if n == "3" { "casadi_diff" } else { "casadi_mu" };
