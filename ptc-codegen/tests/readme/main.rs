@@ -88,7 +88,7 @@ const AXES: &str = include_str!("../../../docs/guide/axes.md");
 const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 42] = [
+const PAGES: [(&str, &str); 43] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../../docs/guide/period.md")),
@@ -112,6 +112,7 @@ const PAGES: [(&str, &str); 42] = [
     ("samples.md", SAMPLES),
     ("theory/samples.md", include_str!("../../../docs/theory/samples.md")),
     ("theory/least-energy.md", include_str!("../../../docs/theory/least-energy.md")),
+    ("theory/loop.md", include_str!("../../../docs/theory/loop.md")),
     ("targets.md", include_str!("../../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),
     ("models.md", MODELS),
