@@ -114,7 +114,7 @@ fn eps_suits_every_axis() {
 #[test]
 fn what_knows_one_chain_says_so() {
     let spec = two(&[("poles", "-3, -4")]).expect("a legal design");
-    for language in [Language::StructuredText, Language::Fmu2, Language::Fmu3] {
+    for language in [Language::Fmu2, Language::Fmu3] {
         let found = ptc_codegen::generate(&spec, language).expect_err("no axes");
         assert!(found.iter().any(|d| d.key == "axes"), "{language:?}: {found:?}");
     }

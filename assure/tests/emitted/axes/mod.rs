@@ -8,7 +8,7 @@ mod others;
 use crate::support;
 use designs::{coupled, specs};
 use native::{in_c, in_rust};
-use others::{in_cpp, in_octave, in_python};
+use others::{in_cpp, in_octave, in_python, in_structured_text};
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{Code, Instance};
 use ptc_codegen::controller::{self, Controller};
@@ -166,6 +166,10 @@ fn axes_give_the_same_bits_everywhere() {
             all.extend(python.map(|found| ("Python", found)));
             let octave = in_octave(&folder, &spec, &calls, count);
             all.extend(octave.map(|found| ("Octave", found)));
+            if !is_extern(&spec) {
+                let structured = in_structured_text(&folder, &spec, &calls);
+                all.extend(structured.map(|found| ("Structured Text", found)));
+            }
         }
         for (language, found) in all {
             assert_eq!(found.len(), wanted.len());

@@ -4,7 +4,9 @@
 mod block;
 mod helpers;
 mod library;
+mod outputs;
 mod target;
+mod types;
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -27,8 +29,8 @@ pub(super) struct StructuredText<'a> {
     owner: &'static str,
     /// In the statements of a subroutine, the array that it changes, and the one that stands for it.
     applied: Option<(&'static str, String)>,
-    /// Lengths of the arrays, each of which is a type.
-    lengths: RefCell<BTreeSet<usize>>,
+    /// Shapes of the arrays, each of which is a type.
+    arrays: RefCell<BTreeSet<Shape>>,
     /// Digits of the numbers that no REAL can hold, in the order in which they are used.
     wide: RefCell<Vec<String>>,
     out: Lines,
@@ -95,6 +97,10 @@ impl Text for StructuredText<'_> {
         format!("{array}[{}]", index + 1)
     }
 
+    fn entry(&self, array: &str, row: &str, column: usize) -> String {
+        format!("{array}[{row}, {}]", column + 1)
+    }
+
     fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
         (Level::Atom, format!("{}_ticks({a}, {b})", self.code.name))
     }
@@ -140,6 +146,10 @@ impl Text for StructuredText<'_> {
 
     fn quotient(&self, a: &str, b: &str) -> (Level, String) {
         (Level::Atom, format!("{}_quotient({a}, {b})", self.code.name))
+    }
+
+    fn divisor(&self, a: &str) -> (Level, String) {
+        (Level::Atom, format!("{}_divisor({a})", self.code.name))
     }
 
     fn nan(&self) -> String {
@@ -210,7 +220,8 @@ impl Block for StructuredText<'_> {
     fn require(&mut self, test: &Test, status: Status) {
         let line = self.refused(test);
         self.out.open(line);
-        self.out.line(format!("status := {};\nRETURN;", status.number()));
+        self.settle(status.number());
+        self.out.line("RETURN;");
         self.out.close("END_IF;");
     }
 
@@ -236,9 +247,7 @@ impl Block for StructuredText<'_> {
     }
 
     fn laws(&mut self, _: &str, callback: &str, _: &[&str; 3], _: usize) {
-        fault(format!(
-            "{callback} gives several values, and plants with several inputs are refused"
-        ))
+        fault(format!("{callback} gives several values, and such laws are refused"))
     }
 
     /// A loop that may have one round is written as WHILE: MatIEC leaves out the body of a FOR whose
@@ -247,7 +256,13 @@ impl Block for StructuredText<'_> {
         let index = self.local(&each.index);
         let (from, last) = (self.end(&each.from, 0), self.end(&each.to, -1));
         if each.down {
-            fault(format!("the loop over {index} counts down"));
+            // A count does not pass below 0.
+            let (behind, first) = (self.end(&each.to, 0), self.end(&each.from, 0));
+            return Around {
+                before: Some(format!("{index} := {behind};")),
+                first: Some(format!("{index} := {index} - {};", self.whole(1))),
+                ..Around::new(format!("WHILE {index} > {first} DO"), "END_WHILE;")
+            };
         }
         let known = each.from.terms.is_empty() && each.to.terms.is_empty();
         let rounds = i64::from(each.to.constant) - i64::from(each.from.constant);
@@ -300,7 +315,7 @@ impl<'a> StructuredText<'a> {
             real,
             owner: "self",
             applied: None,
-            lengths: RefCell::default(),
+            arrays: RefCell::default(),
             wide: RefCell::default(),
             out: Lines::default(),
         }
@@ -316,6 +331,7 @@ impl<'a> StructuredText<'a> {
         let name: String = name.chars().map(letter).collect();
         let own = ["built", "ready", "self", "status"].contains(&name.as_str());
         let own = own || (name == "u" && !self.observes());
+        let own = own || (name == "axes" && self.several().is_some());
         let own = own || name.strip_prefix("wide").is_some_and(|rest| rest.parse::<u32>().is_ok());
         let given = self.outputs().any(|function| function.name == name);
         if own || given || is_word(&name) { format!("{name}_now") } else { name }
