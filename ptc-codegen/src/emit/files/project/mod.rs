@@ -75,6 +75,16 @@ impl Project {
     pub fn accepts(self, spec: &Spec) -> Result<(), Vec<Diagnostic>> {
         let mut found = Diagnostics::default();
         stands_alone(spec, "a project", &mut found);
+        if spec.coupled.is_some() {
+            let message = "a project holds a controller of one input, not of several";
+            let help = "emit it in a language, and call it from your own program";
+            found.push("not-alone", "inputs", None, message, help);
+        } else if spec.axes.is_some() {
+            let message = "a project holds a controller of one chain, not of several axes";
+            let help =
+                "leave `axes` out, or emit it in a language and call it from your own program";
+            found.push("not-alone", "axes", None, message, help);
+        }
         let moves = spec.sampled().is_none() && spec.drift.is_some();
         for (key, known) in [("f", moves), ("dynamics", spec.model.is_some())] {
             if known {
