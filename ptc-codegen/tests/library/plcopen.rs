@@ -9,7 +9,7 @@ use support::design;
 
 /// Designs with all that a function block may have: functions beside it, user-defined laws, loops,
 /// arrays, latched states, estimates, several axes and inputs, and names and expressions that XML escapes.
-const DESIGNS: [&str; 12] = [
+const DESIGNS: [&str; 13] = [
     "n = 3\nmu = \"exp(a=1)\"\n",
     "n = 2\nmu = \"exp_sum(2)\"\nprecision = \"f32\"\n",
     "n = 3\nmu = \"tanh\"\npi0 = \"extern\"\nafter = \"extern\"\n",
@@ -22,6 +22,7 @@ const DESIGNS: [&str; 12] = [
      observer_poles = [-4, -5]\nobserver_samples = 9\n",
     "n = 2\nmu = \"exp(a=1)\"\naxes = 3\nreference = \"input\"\ng = [2, 3, 1]\n",
     "n = 2\nmu = \"rational\"\naxes = 1\n",
+    "n = 2\nmu = \"exp\"\naxes = 1\npi0 = \"extern\"\n",
     "n = 2\nmu = \"exp(a=1)\"\naxes = 2\nclock = \"samples\"\n",
     "mu = \"rational\"\n[model]\nstates = [\"p\", \"q\", \"r\", \"s\"]\ninputs = [\"a\", \"b\", \"c\", \"d\"]\n\
      outputs = [\"p\", \"q\", \"r\", \"s\"]\ndynamics = [\"2*a + q*b\", \"3*b - p*c\", \"5*c + d\", \"a + 4*d + p^2\"]\n",

@@ -51,7 +51,7 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
             "it is for simulation, not for a controller: emit it in another language",
         );
     }
-    let several = spec.coupled.is_some() || spec.axes.is_some();
+    let several = spec.axes.as_ref().is_some_and(|axes| axes.count > 1);
     if several && spec.feedback == Feedback::Extern {
         found.push(
             "unsupported",
