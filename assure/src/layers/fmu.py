@@ -2,6 +2,8 @@
 
 samples LIST       each line of LIST: FMU of a clock in samples, loop (file names), n, delay, whether
                    u is read after the step
+inputs LIST        each line of LIST: FMU of several inputs, calls, outcomes (file names), period of a
+                   clock in samples, or 0
 run LIST           each line of LIST: FMU, records, outcomes, loop (file names), number of parameters, n
 pack FOLDER FMU    compiles the sources in a folder as an importer does, and packs it
 """
@@ -41,7 +43,12 @@ class Instance:
             v.valueReference for v in self.model.modelVariables if v.causality == "parameter"
         ]
         self.states = [v.valueReference for v in self.model.modelVariables if v.causality == "input"]
-        single = named["u"].type == "Float32"
+        controls = [v for v in self.model.modelVariables if v.name.rstrip("0123456789") == "u"]
+        single = controls[0].type == "Float32"
+        self.controls = [v.valueReference for v in controls]
+        self.statuses = [
+            v.valueReference for v in self.model.modelVariables if v.name.rstrip("0123456789") == "status"
+        ]
         kind = FMU2Slave if self.second else FMU3Slave
         self.fmu = kind(
             guid=self.model.guid,
@@ -211,10 +218,45 @@ def samples(listed):
         instance.close()
 
 
+def inputs(listed):
+    """Calls of controllers of several inputs, in the order of their times: every u and every status."""
+    for line in pathlib.Path(listed).read_text().splitlines():
+        fmu, calls, outcomes, period = line.split("\t")
+        problems = validate_fmu(fmu)
+        if problems:
+            pathlib.Path(outcomes).write_text("invalid " + " | ".join(problems).replace("\n", " "))
+            continue
+        instance, h = Instance(fmu), float(period)
+        given = len(instance.states)
+        count = ("Integer", "Int32")
+        parameters = [v for v in instance.model.modelVariables if v.causality == "parameter"]
+        instance.start(0.0, [], [0.0] * given)
+        read = lambda v: (instance.integer if v.type in count else instance.get)([v.valueReference])[0]
+        lines = [" ".join(hexed(read(v)) for v in parameters)]
+        now = 0.0
+        for time, *numbers in struct.iter_unpack(f"<{1 + given}d", pathlib.Path(calls).read_bytes()):
+            instance.messages.clear()
+            try:
+                instance.set(instance.states, numbers)
+                if h == 0.0:
+                    instance.step(now, time - now)
+                    now = time
+                u, statuses = instance.get(instance.controls), instance.integer(instance.statuses)
+                lines.append("ok " + " ".join([*map(str, statuses), *map(hexed, u)]))
+                if h > 0.0:
+                    instance.step(now, h)
+                    now += h
+            except FMICallException:
+                now = time if h == 0.0 else now
+                lines.append("error " + " | ".join(instance.messages))
+        pathlib.Path(outcomes).write_text("\n".join(lines))
+        instance.close()
+
+
 def pack(folder, fmu):
     build_platform_binary(folder)
     shutil.move(shutil.make_archive(fmu, "zip", folder), fmu)
 
 
 if __name__ == "__main__":
-    {"run": run, "pack": pack, "samples": samples}[sys.argv[1]](*sys.argv[2:])
+    {"run": run, "pack": pack, "samples": samples, "inputs": inputs}[sys.argv[1]](*sys.argv[2:])

@@ -1,5 +1,6 @@
 //! FMUs in fmpy: validated, called, run in closed loop, and compared with the emitted C.
 
+mod inputs;
 mod samples;
 
 use std::fmt::Write as _;
@@ -139,6 +140,7 @@ fn run(context: &Context) -> Result<Finding> {
             .to_owned(),
     );
     samples::run(context, &python, &generator, &mut finding)?;
+    inputs::run(context, &python, &generator, &mut finding)?;
     seed(context, &python, &mut finding)?;
     Ok(finding)
 }

@@ -40,7 +40,7 @@ pub(super) const LAYER: Layer = Layer {
 };
 
 /// The designs: the default, all fixed in single precision, functions and states that are latched; in
-/// samples all open, an observer of a chain in single precision, and one of another plant.
+/// samples all open, an observer of a chain in single precision, and one of another plant; axes with either clock.
 fn designs() -> Vec<Spec> {
     vec![
         spec(&[("n", "2"), ("mu", "exp"), ("name", "stage")]),
@@ -86,6 +86,23 @@ fn designs() -> Vec<Spec> {
             ("tau", "0.4"),
             ("poles", "-5,-6,-7"),
             ("observer_poles", "-4,-5,-6"),
+        ]),
+        spec(&[
+            ("n", "2"),
+            ("mu", "exp(a=1)"),
+            ("name", "portal"),
+            ("axes", "3"),
+            ("poles", "[[-4,-5],[-5,-6],[-6,-7]]"),
+            ("g", "[1,-2,0.5]"),
+            ("sample_time", "1e-3"),
+        ]),
+        spec(&[
+            ("n", "3"),
+            ("mu", "exp"),
+            ("name", "hexapod"),
+            ("axes", "2"),
+            ("clock", "samples"),
+            ("g", "[0.5,2]"),
         ]),
     ]
 }

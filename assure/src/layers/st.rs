@@ -14,6 +14,7 @@ use ptc_codegen::emit::Language;
 use super::comparison::{Side, compare, controllers};
 use super::seeded::{Defect, with_defect};
 use crate::context::Context;
+use crate::harness::in_samples::of_inputs;
 use crate::harness::program::driver;
 use crate::harness::runtime;
 use crate::layer::{Finding, Layer};
@@ -84,7 +85,7 @@ fn run(context: &Context) -> Result<Finding> {
 /// Holds the files of all controllers that compute all of their law against the strict grammar.
 fn strictly(context: &Context, finding: &mut Finding) -> Result<()> {
     let mut count = 0;
-    for spec in controllers(context).iter().chain(&context.in_samples()) {
+    for spec in &[controllers(context), context.in_samples(), of_inputs()].concat() {
         let Ok(files) = ptc_codegen::generate(spec, Language::StructuredText) else { continue };
         // Functions of the user's are in another file.
         let others = ["pi0", "after"].map(|law| format!("{}_{law}", spec.name()));

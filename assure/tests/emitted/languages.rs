@@ -160,6 +160,12 @@ fn what_a_language_cannot_say_is_refused() {
             "not emitted in st",
         ),
         (
+            Language::StructuredText,
+            spec(&[("n", "2"), ("mu", "exp"), ("axes", "2"), ("pi0", "extern")]),
+            "pi0",
+            "returns an array, which no function in st can",
+        ),
+        (
             Language::Matlab,
             with(&associated, &[("what", "associated"), ("name", &long)]),
             "name",

@@ -39,7 +39,7 @@ pub use table::Table;
 use crate::parameter::{Parameter, Precision};
 
 /// The values that a name can hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shape {
     /// A floating-point number.
     Real,

@@ -152,6 +152,46 @@ fn a_reference_is_among_the_inputs() {
     }
 }
 
+/// Each axis has inputs and outputs of its own, and u of an axis depends on its inputs alone.
+#[test]
+fn axes_have_variables_of_their_own() {
+    let folder = folder("fmu_axes");
+    for lang in ["fmu2", "fmu3"] {
+        let home = folder.join(lang);
+        let design = ["--n=1", "--axes=2", "--mu=exp", "--name=stage", "--reference=input"];
+        written(&[&["--lang", lang][..], &design].concat(), &home);
+        let entries = entries(&home.join("stage.fmu"));
+        let all = elements(&text(&entries, "modelDescription.xml"));
+        let of = |causality: &str| -> Vec<_> {
+            let own =
+                all.iter().filter(|(_, a)| a.get("causality").is_some_and(|c| c == causality));
+            own.map(|(_, a)| a["name"].clone()).collect()
+        };
+        assert_eq!(of("input"), ["x1_1", "x1_2", "r0_1", "r1_1", "r0_2", "r1_2"]);
+        assert_eq!(of("output"), ["u1", "u2", "time_to_go", "status", "status1", "status2"]);
+        let depends: Vec<_> =
+            all.iter().filter_map(|(_, a)| a.get("dependencies").map(String::as_str)).collect();
+        assert_eq!(depends, ["1 3 4", "2 5 6", "", "1 2 3 4 5 6", "1 3 4", "2 5 6"]);
+        let source = text(&entries, "sources/stage_fmu.c");
+        let call = "stage_step(&state->controller, t, (const double (*)[1])state->x, \
+                    (const double (*)[2])state->r, state->u, state->axes)";
+        assert!(source.contains(call), "{source}");
+        let usage = "set x1_1..x1_2, r0_1..r1_2, get u1..u2, give them to the plant, step.";
+        assert!(source.contains(usage), "{source}");
+    }
+}
+
+/// A parameter with the name of an input or an output would be a second variable of that name.
+#[test]
+fn a_parameter_with_the_name_of_an_output_is_refused() {
+    let folder = folder("fmu_names");
+    let design = ["--lang=fmu2", "--n=2", "--axes=2", "--mu=exp", "--g=[1, u2]"];
+    let output = emit(&design, &folder, "cc");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success(), "{told}");
+    assert!(told.contains("the FMU has another variable u2"), "{told}");
+}
+
 #[test]
 fn the_description_is_well_formed_and_agrees_with_the_source() {
     let folder = folder("fmu_xml");

@@ -8,8 +8,8 @@ use roxmltree::{Document, Node};
 use support::design;
 
 /// Designs with all that a function block may have: functions beside it, user-defined laws, loops,
-/// arrays, latched states, estimates, and names and expressions that XML escapes.
-const DESIGNS: [&str; 8] = [
+/// arrays, latched states, estimates, several axes and inputs, and names and expressions that XML escapes.
+const DESIGNS: [&str; 13] = [
     "n = 3\nmu = \"exp(a=1)\"\n",
     "n = 2\nmu = \"exp_sum(2)\"\nprecision = \"f32\"\n",
     "n = 3\nmu = \"tanh\"\npi0 = \"extern\"\nafter = \"extern\"\n",
@@ -20,6 +20,12 @@ const DESIGNS: [&str; 8] = [
      observer_poles = [-4, -5]\nobserver_samples = 9\n",
     "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nwhat = \"observer\"\ndisturbance = \"constant\"\n\
      observer_poles = [-4, -5]\nobserver_samples = 9\n",
+    "n = 2\nmu = \"exp(a=1)\"\naxes = 3\nreference = \"input\"\ng = [2, 3, 1]\n",
+    "n = 2\nmu = \"rational\"\naxes = 1\n",
+    "n = 2\nmu = \"exp\"\naxes = 1\npi0 = \"extern\"\n",
+    "n = 2\nmu = \"exp(a=1)\"\naxes = 2\nclock = \"samples\"\n",
+    "mu = \"rational\"\n[model]\nstates = [\"p\", \"q\", \"r\", \"s\"]\ninputs = [\"a\", \"b\", \"c\", \"d\"]\n\
+     outputs = [\"p\", \"q\", \"r\", \"s\"]\ndynamics = [\"2*a + q*b\", \"3*b - p*c\", \"5*c + d\", \"a + 4*d + p^2\"]\n",
 ];
 
 fn emitted(text: &str, language: Language) -> String {
@@ -59,10 +65,14 @@ fn kind(node: Node<'_, '_>) -> String {
     match one.tag_name().name() {
         "derived" => name(one).to_owned(),
         "array" => {
-            let range = the(one, &["dimension"]);
-            let [lower, upper] =
-                ["lower", "upper"].map(|end| range.attribute(end).expect("an end"));
-            format!("ARRAY[{lower}..{upper}] OF {}", kind(the(one, &["baseType"])))
+            let dimensions = elements(one).filter(|own| own.tag_name().name() == "dimension");
+            let range = |own: Node<'_, '_>| {
+                let [lower, upper] =
+                    ["lower", "upper"].map(|end| own.attribute(end).expect("an end").to_owned());
+                format!("{lower}..{upper}")
+            };
+            let ranges: Vec<_> = dimensions.map(range).collect();
+            format!("ARRAY[{}] OF {}", ranges.join(", "), kind(the(one, &["baseType"])))
         }
         elementary => elementary.to_owned(),
     }
@@ -168,7 +178,7 @@ fn the_project_refuses_what_structured_text_refuses() {
         ("n = 2\nmu = \"exp\"\nfma = true\n", "fma", "Structured Text has no fused multiply-add"),
         ("n = 2\nmu = \"exp\"\nname = \"deadline\"\n", "name", "has a variable deadline"),
         ("n = 2\nmu = \"exp\"\nname = \"limit\"\n", "name", "meaning of its own in plcopen"),
-        ("n = 2\nmu = \"exp\"\naxes = 3\n", "axes", "several axes are not emitted"),
+        ("n = 2\nmu = \"exp\"\naxes = 3\npi0 = \"extern\"\n", "pi0", "returns an array"),
     ] {
         let spec = design(text).0;
         let found = generate(&spec, Language::PlcOpen).expect_err(message);

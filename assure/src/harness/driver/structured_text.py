@@ -61,6 +61,11 @@ def same_type(value: Any, kind: Any, name: str) -> Any:
     return value
 
 
+def element(kind: Any) -> Any:
+    """The kind of the elements of an array: those of several dimensions are arrays in turn."""
+    return kind[0] if len(kind) == 2 else (kind[0], *kind[2:])
+
+
 def parsed(text: str) -> st.SourceCode:
     """The tree of a file; an error where it is no Structured Text."""
     result = parse_source_code(text)
@@ -92,12 +97,13 @@ class Library:
                 raise Wrong(f"a {type(item).__name__} is outside the subset")
 
     def kind(self, init: Any) -> Any:
-        """The type of a declaration: a class of numbers, (class, length), or a structure's name."""
+        """The type of a declaration: a class of numbers, (class, length, ..), or a structure's name."""
         if isinstance(init, st.ArrayTypeInitialization):
-            (bounds,) = init.spec.subranges
-            if str(bounds.start.value) != "1":
+            ranges = init.spec.subranges
+            if any(str(bounds.start.value) != "1" for bounds in ranges):
                 raise Wrong("an array begins at 1")
-            return (TYPES[str(init.spec.type.type_name).lower()], int(bounds.stop.value))
+            lengths = (int(bounds.stop.value) for bounds in ranges)
+            return (TYPES[str(init.spec.type.type_name).lower()], *lengths)
         word = str(init.spec.type).lower()
         if word in self.arrays:
             return self.arrays[word]
@@ -110,7 +116,7 @@ class Library:
         if isinstance(kind, str):
             return {name: self.fresh(member, value) for name, member in self.structures[kind].items()}
         if isinstance(kind, tuple):
-            return [self.fresh(kind[0], value) for _ in range(kind[1])]
+            return [self.fresh(element(kind), value) for _ in range(kind[1])]
         return None if value is None else kind(value)
 
 
@@ -178,15 +184,17 @@ class Unit:
         if name not in self.kinds:
             raise Wrong(f"{name} is not declared")
         text, kind = f"v[{name!r}]", self.kinds[name]
-        for element in [] if simple else variable.elements:
-            if isinstance(element, st.FieldSelector):
-                field = str(element.field.name).lower()
+        for selector in [] if simple else variable.elements:
+            if isinstance(selector, st.FieldSelector):
+                field = str(selector.field.name).lower()
                 kind = self.library.structures[kind][field]
                 text += f"[{field!r}]"
             else:
-                (subscript,) = element.subscripts
-                kind = kind[0]
-                text += f"[{self.expression(subscript)} - 1]"
+                for subscript in selector.subscripts:
+                    kind = element(kind)
+                    text += f"[{self.expression(subscript)} - 1]"
+                if isinstance(kind, tuple):
+                    raise Wrong(f"{text} is an array")
         return text, kind
 
     def expression(self, e: Any) -> str:

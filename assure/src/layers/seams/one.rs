@@ -12,7 +12,7 @@ use super::design::Design;
 use crate::harness::empty;
 
 /// The languages and units of which each design has one.
-const LANGUAGES: [&str; 7] = ["rust", "cpp", "python", "matlab", "fmi2", "fmi3", "st"];
+const LANGUAGES: [&str; 7] = ["rust", "cpp", "python", "matlab", "fmu2", "fmu3", "st"];
 
 /// Digits of a fingerprint.
 const DIGITS: usize = 12;

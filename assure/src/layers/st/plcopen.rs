@@ -11,6 +11,7 @@ use super::super::comparison::controllers;
 use super::super::seeded::{Defect, put_in};
 use crate::context::Context;
 use crate::harness::command::succeed;
+use crate::harness::in_samples::of_inputs;
 use crate::harness::program::driver;
 use crate::harness::{empty, runtime, write};
 use crate::layer::{Finding, Missing};
@@ -33,7 +34,8 @@ pub(super) fn validate(context: &Context, finding: &mut Finding) -> Result<()> {
     let folder = context.scratch("plcopen");
     let schema = schema(&python, &folder)?;
     let mut files = Vec::new();
-    for (index, spec) in controllers(context).iter().chain(&context.in_samples()).enumerate() {
+    let specs = [controllers(context), context.in_samples(), of_inputs()].concat();
+    for (index, spec) in specs.iter().enumerate() {
         if ptc_codegen::generate(spec, Language::PlcOpen).is_ok() {
             let home = empty(&folder.join(index.to_string()));
             files.extend(write(&home, spec, Language::PlcOpen));

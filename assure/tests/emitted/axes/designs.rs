@@ -125,7 +125,7 @@ pub(super) fn coupled() -> Vec<Spec> {
         ),
         spec(&[
             ("mu", "tanh(a=0.5)"),
-            ("name", "arm"),
+            ("name", "two_links"),
             ("poles", "[[-3,-4],[-5,-6]]"),
             ("states", "p, q, v, w"),
             ("inputs", "a, b"),

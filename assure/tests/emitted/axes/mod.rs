@@ -8,7 +8,7 @@ mod others;
 use crate::support;
 use designs::{coupled, specs};
 use native::{in_c, in_rust};
-use others::{in_cpp, in_octave, in_python};
+use others::{in_cpp, in_octave, in_python, in_structured_text};
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::code::{Code, Instance};
 use ptc_codegen::controller::{self, Controller};
@@ -150,7 +150,7 @@ fn alone(spec: &Spec, index: usize, calls: &[Call]) -> Vec<(u64, i64)> {
 #[test]
 fn axes_give_the_same_bits_everywhere() {
     let mut seen = std::collections::BTreeSet::new();
-    for spec in specs().into_iter().chain(coupled()) {
+    for (index, spec) in specs().into_iter().chain(coupled()).enumerate() {
         let count = spec.axes.as_ref().expect("axes").count;
         let calls = calls(&spec, count);
         let folder = folder(&format!("axes_{}", spec.name()));
@@ -166,6 +166,12 @@ fn axes_give_the_same_bits_everywhere() {
             all.extend(python.map(|found| ("Python", found)));
             let octave = in_octave(&folder, &spec, &calls, count);
             all.extend(octave.map(|found| ("Octave", found)));
+            // Its parser takes seconds for each file.
+            let is_parsed = index % 3 == 0 || spec.name() == "four";
+            if is_parsed && !is_extern(&spec) {
+                let structured = in_structured_text(&folder, &spec, &calls);
+                all.extend(structured.map(|found| ("Structured Text", found)));
+            }
         }
         for (language, found) in all {
             assert_eq!(found.len(), wanted.len());

@@ -1,11 +1,12 @@
-//! Programs around emitted controllers of several axes in C++, and all calls at once in Python and Octave, where these
-//! are there.
+//! Programs around emitted controllers of several axes in C++, all calls at once in Python and Octave, and Structured
+//! Text under an interpreter, where these are there.
 
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use ptc_assure::context::workspace;
 use ptc_assure::harness::cpp::STRICT_CPP;
 use ptc_codegen::emit::Language;
 use ptc_codegen::parameter::Precision;
@@ -114,6 +115,42 @@ pub(super) fn in_python(
     );
     fs::write(&source, text).expect("Python");
     Some(read(spec, &run(Command::new(python).args(["-B", "-W", "error"]).arg(source))))
+}
+
+/// In Structured Text, where NumPy and blark are there.
+pub(super) fn in_structured_text(folder: &Path, spec: &Spec, calls: &[Call]) -> Option<Vec<Given>> {
+    let python = python_with("import numpy, blark")?;
+    write(folder, spec, Language::StructuredText);
+    let name = spec.name();
+    let (real, integer) = match spec.precision {
+        Precision::F64 => ("float64", "uint64"),
+        Precision::F32 => ("float32", "uint32"),
+    };
+    let ends = ("[", "]");
+    let mut given = String::new();
+    for call in calls {
+        let x = states(spec, &call.x, "nan", "", ends);
+        let r = lists(&call.r, spec.references(), "nan", "", ends);
+        let _ = writeln!(given, "    ({}, {x}, {r}),", written(call.t, "nan", ""));
+    }
+    let params = members(spec, "=", ends, "");
+    let text = format!(
+        "import numpy as np\nfrom structured_text import Library\nnp.seterr(all=\"ignore\")\nnan = float(\"nan\")\n\
+         def real(value):\n    return [real(one) for one in value] if isinstance(value, list) else np.{real}(value)\n\
+         with open({:?}) as file:\n    unit = Library(file.read()).units[{name:?}]\n\
+         memory = unit.memory()\nparams = {{name.lower(): real(value) for name, value in dict({params}).items()}}\n\
+         if params:\n    memory[\"params\"] = params\n\
+         memory[\"init\"] = True\nunit.execute(memory)\nassert memory[\"status\"] == 0\nmemory[\"init\"] = False\n\
+         for t, x, r in [\n{given}]:\n    memory.update(t=real(t), x=real(x))\n    if r:\n        memory[\"r\"] = real(r)\n    \
+         unit.execute(memory)\n    bits = np.array(memory[\"u\"]).view(np.{integer})\n    \
+         print(memory[\"status\"], *(f\"{{u}} {{axis}}\" for u, axis in zip(bits, memory[\"axes\"])))\n",
+        folder.join(format!("{name}.st")).display().to_string(),
+    );
+    let source = folder.join("structured_text_driver.py");
+    fs::write(&source, text).expect("Python");
+    let modules = workspace().join("assure/src/harness/driver");
+    let mut command = Command::new(python);
+    Some(read(spec, &run(command.arg("-B").arg(source).env("PYTHONPATH", modules))))
 }
 
 /// In GNU Octave, where it is there.

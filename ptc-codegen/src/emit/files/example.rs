@@ -198,6 +198,9 @@ pub(super) const ARRIVED: f64 = 0.01;
 
 /// Returns true if the run of a project from x1 = 1 arrives, with a linear law and without a bound of u that clips.
 fn arrives(spec: &Spec, tau: f64) -> bool {
+    if let Some(axes) = &spec.axes {
+        return (0..axes.count).all(|axis| arrives(&spec.axis(axis), tau));
+    }
     let value = |parameter| spec.fixed.get(&parameter).and_then(to_f64);
     let period = spec.promises.sample_time.as_ref().and_then(to_f64);
     let (Some(period), Some(eps)) = (period, value(Parameter::Eps)) else { return false };

@@ -78,17 +78,6 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
         let message = format!("{what} holds a controller, not an observer alone");
         against("what", message, "leave `what` out, or emit the observer in a language");
     }
-    if spec.coupled.is_some() {
-        let message = format!("{what} holds a controller of one input, not of several");
-        against("inputs", message, "emit it in a language, and call it from your own program");
-    } else if spec.axes.is_some() {
-        let message = format!("{what} holds a controller of one chain, not of several axes");
-        against(
-            "axes",
-            message,
-            "leave `axes` out, or emit it in a language and call it from your own program",
-        );
-    }
     if spec.feedback == Feedback::Extern {
         against("pi0", format!("{what} cannot call a user-defined pi0"), own);
     }

@@ -7,8 +7,9 @@ use super::support::folder;
 use super::{DESIGN, made, run};
 
 /// Designs with fixed values, bounds, a latched state, an input gain and what comes after; in samples
-/// with all open, delay, observer, force, bound of u, and other plants.
-pub(super) const DESIGNS: [&[&str]; 14] = [
+/// with all open, delay, observer, force, bound of u, and other plants; axes with either clock, alike and each with its
+/// own gains, limits and g.
+pub(super) const DESIGNS: [&[&str]; 18] = [
     &["--n=1", "--mu=exp"],
     &["--n=3", "--mu=tan", "--precision=f32"],
     &["--n=4", "--mu=exp_sum(rates=[0.5,1.5,3])", "--poles=-3.2,-6,-4,-2.5"],
@@ -54,6 +55,27 @@ pub(super) const DESIGNS: [&[&str]; 14] = [
         "--poles=-5,-6,-7,-8",
         "--observer-poles=-4,-5,-6",
         "--u-max=2",
+    ],
+    &["--n=1", "--axes=2", "--mu=exp", "--precision=f32"],
+    &[
+        "--n=2",
+        "--axes=3",
+        "--mu=exp(a=1)",
+        "--poles=[[-4,-5],[-5,-6],[-6,-7]]",
+        "--g=[1,-2,0.5]",
+        "--sample-time=1e-3",
+    ],
+    &["--n=3", "--axes=2", "--mu=exp", "--clock=samples"],
+    &[
+        "--n=2",
+        "--axes=2",
+        "--mu=exp(a=1)",
+        "--clock=samples",
+        "--sample-time=1e-3",
+        "--tau=0.8",
+        "--poles=[[-4,-5],[-3,-6]]",
+        "--limits=6,20",
+        "--g=[0.5,2]",
     ],
 ];
 

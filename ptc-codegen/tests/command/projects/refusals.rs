@@ -15,6 +15,11 @@ fn what_a_project_cannot_do_is_refused() {
         (&["--n=2", "--mu=exp", "--after=extern"], &["after the deadline"]),
         (&["--n=2", "--mu=exp", "--what=associated"], &["infinite-time system"]),
         (&["--n=2", "--mu=exp", "--g=1+x1^2"], &["with a number for g"]),
+        (&["--n=2", "--axes=2", "--mu=exp", "--g=[2, 1/mass]"], &["with a number for g"]),
+        (
+            &["--mu=exp", "--states=p,q", "--inputs=a,b", "--outputs=p,q", "--dynamics=a,b"],
+            &["dynamics", "the plant of a project is x_n' = g u"],
+        ),
         (&["--n=2", "--mu=exp", "--name=plant"], &["`plant`", "choose another name"]),
         (&["--n=2", "--mu=exp", "--lang=c"], &["--lang", "cannot be used with"]),
         (&["--n=2", "--mu=expp"], &["did you mean `exp`"]),

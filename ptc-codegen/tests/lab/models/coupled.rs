@@ -358,15 +358,15 @@ fn coupled_plants_are_emitted_in_every_supported_language() {
     for (name, own) in plants().into_iter().chain(following()) {
         let again = crate::command::spec_of(&own.command()).expect("a legal command");
         assert_eq!(again, own);
-        for language in
-            [Language::C, Language::Cpp, Language::Rust, Language::Python, Language::Matlab]
-        {
+        // No function of Structured Text returns the laws of several outputs.
+        let given = own.feedback == ptc_codegen::request::Feedback::Extern;
+        let is_left_out = |language: &Language| {
+            let is_plc = [Language::StructuredText, Language::PlcOpen].contains(language);
+            given && (is_plc || language.fmi().is_some())
+        };
+        for language in Language::ALL.into_iter().filter(|language| !is_left_out(language)) {
             let files = ptc_codegen::generate(&own, language).expect(name);
             assert_eq!(ptc_codegen::generate(&again, language).expect(name), files);
-        }
-        for language in [Language::StructuredText, Language::Fmu2, Language::Fmu3] {
-            let found = ptc_codegen::generate(&own, language).expect_err("no such plants");
-            assert!(found.iter().any(|d| d.key == "inputs"), "{language:?}: {found:?}");
         }
     }
 }

@@ -153,8 +153,12 @@ def called(at, **inputs):
     memory.update(inputs)
     unit.execute(memory)
     return memory
-units, held, layouts, givens, reals, inputs, observes, counts = [], [], [], [], [], [], [], []
-for folder, name, kind, real, layout, given, measured, _, _ in DESIGNS:
+def rows(numbers, length):
+    if not length:
+        return numbers
+    return [numbers[at:at + length] for at in range(0, len(numbers), length)]
+units, held, layouts, givens, reals, inputs, observes, shapes = [], [], [], [], [], [], [], []
+for folder, name, kind, real, layout, given, *shape in DESIGNS:
     with open(f"{folder}/{name}.st") as file:
         unit = Library(file.read()).units[name]
     units.append(unit)
@@ -164,7 +168,7 @@ for folder, name, kind, real, layout, given, measured, _, _ in DESIGNS:
     reals.append(getattr(np, real))
     inputs.append("y" if "y" in unit.kinds else "x")
     observes.append(kind.endswith("Observer"))
-    counts.append(measured)
+    shapes.append(shape)
 for line in sys.stdin:
     word, *rest = line.split()
     if word == "D":
@@ -191,14 +195,15 @@ for line in sys.stdin:
         continue
     numbers = [real(number(one)) for one in rest[1:]]
     last = {"u": numbers.pop()} if observes[at] else {}
-    x, r = numbers[:counts[at]], numbers[counts[at]:]
+    measured, columns, row = shapes[at]
+    x, r = rows(numbers[:measured], columns), rows(numbers[measured:], row)
     memory = called(at, k=k, **{inputs[at]: x}, **({"r": r} if r else {}), **last)
-    values = [] if observes[at] else [memory["u"]]
-    for name in givens[at]:
+    values = []
+    for name in ([] if observes[at] else ["u"]) + givens[at]:
         value = memory[name]
         values.extend(value if isinstance(value, list) else [value])
     assert all(type(value) is real for value in values), values
-    print("S", memory["status"], *map(show, values))
+    print("S", memory["status"], *map(show, values), *memory.get("axes", []))
 "#;
 
 /// In Structured Text, where NumPy and blark are there.

@@ -4,7 +4,9 @@ use askama::Template;
 
 use super::super::c::Condition;
 use super::super::outline::Outline;
-use super::variables::{Unit, Variable};
+use super::signals::Signals;
+use super::units::Unit;
+use super::variables::Variable;
 use crate::request::Spec;
 
 /// The start value of a run-time parameter.
@@ -52,9 +54,7 @@ impl Judged {
 #[template(path = "fmu/core.c.txt", escape = "none")]
 pub(super) struct Core<'a> {
     pub(super) name: &'a str,
-    /// Values that are measured, and the letter of their names.
-    pub(super) inputs: usize,
-    pub(super) letter: char,
+    pub(super) signals: &'a Signals,
     pub(super) version: u8,
     /// `s` or `S`, as the interface spells `GetFMUstate`.
     pub(super) state_letter: char,
@@ -74,6 +74,8 @@ pub(super) struct Core<'a> {
     pub(super) samples: Option<Samples>,
     /// True if the last estimate is that of the disturbance.
     pub(super) disturbance: bool,
+    /// True if the inputs follow from the laws of the outputs by a matrix of the plant.
+    pub(super) decouples: bool,
     pub(super) frame: &'a Outline,
 }
 
@@ -91,8 +93,8 @@ pub(super) struct Fmi2<'a> {
     pub(super) name: &'a str,
     pub(super) core: &'a str,
     pub(super) single: bool,
-    pub(super) inputs: usize,
-    pub(super) letter: char,
+    /// What the importer does at each communication point.
+    pub(super) usage: &'a str,
     pub(super) frame: &'a Outline,
 }
 
@@ -102,35 +104,18 @@ pub(super) struct Fmi3<'a> {
     pub(super) name: &'a str,
     pub(super) core: &'a str,
     pub(super) single: bool,
-    pub(super) inputs: usize,
-    pub(super) letter: char,
-    pub(super) frame: &'a Outline,
+    /// What the importer does at each communication point.
+    pub(super) usage: &'a str,
 }
 
-#[derive(Template)]
-#[template(path = "fmu/modelDescription2.xml", escape = "html")]
-pub(super) struct Model2<'a> {
+/// What modelDescription.xml says.
+pub(super) struct Model<'a> {
     pub(super) name: &'a str,
     pub(super) token: &'a str,
-    pub(super) description: &'a str,
-    pub(super) version: &'a str,
-    pub(super) units: &'a [Unit],
-    pub(super) start_time: f64,
-    pub(super) stop_time: f64,
-    pub(super) period: f64,
-    pub(super) variable_step: bool,
-    pub(super) variables: &'a [Variable],
-    pub(super) outputs: &'a [&'a Variable],
-}
-
-#[derive(Template)]
-#[template(path = "fmu/modelDescription3.xml", escape = "html")]
-pub(super) struct Model3<'a> {
-    pub(super) name: &'a str,
-    pub(super) token: &'a str,
-    pub(super) description: &'a str,
-    pub(super) version: &'a str,
-    pub(super) units: &'a [Unit],
+    pub(super) description: String,
+    /// Version of the generator.
+    pub(super) version: &'static str,
+    pub(super) units: Vec<Unit>,
     pub(super) start_time: f64,
     pub(super) stop_time: f64,
     pub(super) period: f64,
@@ -138,7 +123,19 @@ pub(super) struct Model3<'a> {
     /// The sample period of a clock in samples, where it is fixed.
     pub(super) fixed_step: Option<f64>,
     pub(super) variables: &'a [Variable],
-    pub(super) outputs: &'a [&'a Variable],
+    pub(super) outputs: Vec<&'a Variable>,
+}
+
+#[derive(Template)]
+#[template(path = "fmu/modelDescription2.xml", escape = "html")]
+pub(super) struct Model2<'a> {
+    pub(super) model: &'a Model<'a>,
+}
+
+#[derive(Template)]
+#[template(path = "fmu/modelDescription3.xml", escape = "html")]
+pub(super) struct Model3<'a> {
+    pub(super) model: &'a Model<'a>,
 }
 
 #[derive(Template)]

@@ -47,7 +47,7 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
 }
 
 /// Returns true if each axis has its own value of a parameter that the spec fixes.
-pub(super) fn have_own(spec: &Spec, parameter: Parameter) -> bool {
+pub(in crate::emit::files) fn have_own(spec: &Spec, parameter: Parameter) -> bool {
     spec.axes.as_ref().is_some_and(|axes| match parameter {
         Parameter::Gain(_) => !axes.gains.is_empty(),
         Parameter::UMax | Parameter::UMin => !axes.limits.is_empty(),

@@ -11,6 +11,7 @@ mod precision;
 mod samples;
 mod time;
 
+pub(super) use axes::have_own;
 pub(super) use formulas::{law, mapping};
 pub(super) use plant::{chain, in_samples as plant_in_samples};
 #[cfg(feature = "lab")]

@@ -3,6 +3,7 @@
 use super::super::example::{ARRIVED, Example, SAMPLED, TIMED};
 use super::super::head::chain;
 use super::super::{Language, c, declared, literal, rust};
+use super::axes::{about, each, gains};
 use super::constant;
 use super::samples::Samples;
 use crate::check::examine::Report;
@@ -34,7 +35,12 @@ pub(super) struct Config {
     pub(super) zero: String,
     pub(super) half: String,
     pub(super) settings: Vec<Setting>,
-    pub(super) x0: Vec<String>,
+    /// Number of axes.
+    pub(super) axes: Option<usize>,
+    /// The start of each axis, or of the one plant.
+    pub(super) x0: Vec<Vec<String>>,
+    /// Input gain of each axis; empty where all are 1.
+    pub(super) gains: Vec<String>,
     pub(super) arrived: String,
     pub(super) defaults: &'static [&'static str],
     /// The flags of the design.
@@ -111,11 +117,14 @@ impl Config {
                 (declared(spec, element), Clock::Time(Time::of(spec, &example, &words)), &TIMED[..])
             }
         };
-        let first = match &clock {
-            Clock::Time(_) => words.number(1.0),
-            Clock::Samples(samples) => samples.start.clone(),
+        let starts = match &clock {
+            Clock::Time(_) => vec![words.number(1.0); each(spec).count()],
+            Clock::Samples(samples) => samples.starts.clone(),
         };
-        let others = (2..=spec.n).map(|_| words.number(0.0));
+        let state = |first| {
+            let others = (2..=spec.n).map(|_| words.number(0.0));
+            std::iter::once(first).chain(others).collect()
+        };
         Self {
             name: spec.name(),
             type_name: spec.type_name(),
@@ -124,7 +133,9 @@ impl Config {
             zero: words.number(0.0),
             half: words.number(0.5),
             settings: settings(spec, parameters, &example, &words),
-            x0: [first].into_iter().chain(others).collect(),
+            axes: spec.axes.as_ref().map(|axes| axes.count),
+            x0: starts.into_iter().map(state).collect(),
+            gains: gains(spec, &words),
             arrived: words.number(ARRIVED),
             defaults,
             command: spec.command(),
@@ -139,7 +150,8 @@ impl Time {
         let known = |parameter| words.parameter(spec, example, parameter);
         let (start, start_fixed) = known(Parameter::StartTime);
         let (tau, tau_fixed) = known(Parameter::Tau);
-        let gain = spec.input_gain.as_ref();
+        let gain = spec.input_gain.as_ref().filter(|_| spec.axes.is_none());
+        let acts = !gains(spec, words).is_empty();
         let number =
             gain.and_then(constant).map(|g| words.number(number::round(g, spec.precision)));
         Self {
@@ -153,7 +165,7 @@ impl Time {
             gain: number,
             about: match gain {
                 Some(gain) => format!("{}, g = {gain}", chain(spec.n, "g u")),
-                None => chain(spec.n, "u"),
+                None => about(spec, chain(spec.n, if acts { "g u" } else { "u" })),
             },
         }
     }

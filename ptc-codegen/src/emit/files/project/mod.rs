@@ -2,6 +2,7 @@
 //!
 //! Each holds the files of the emitted C or Rust as they are, and one file of values.
 
+mod axes;
 mod config;
 mod samples;
 mod start;
@@ -76,21 +77,22 @@ impl Project {
         let mut found = Diagnostics::default();
         stands_alone(spec, "a project", &mut found);
         let moves = spec.sampled().is_none() && spec.drift.is_some();
-        for (key, known) in [("f", moves), ("dynamics", spec.model.is_some())] {
+        for (key, known) in
+            [("f", moves), ("dynamics", spec.model.is_some() || spec.coupled.is_some())]
+        {
             if known {
                 let message = "the plant of a project is x_n' = g u";
                 let help = "leave f and [model] out, or emit the controller alone";
                 found.push("not-alone", key, None, message, help);
             }
         }
-        if spec.reference.is_some() {
+        if spec.reference.is_some() || spec.known_references().next().is_some() {
             let message = "the run of a project brings the plant to rest";
             let help = "leave `reference` out, or emit the controller alone";
             found.push("not-alone", "reference", None, message, help);
         }
-        if let Some(gain) = &spec.input_gain
-            && constant(gain).is_none()
-        {
+        let own = spec.axes.iter().flat_map(|axes| &axes.input_gains);
+        if spec.input_gain.iter().chain(own).any(|gain| constant(gain).is_none()) {
             let message = "the plant of a project is x_n' = g u with a number for g".to_owned();
             let help = "leave g out and divide u by it in the project, or give its value";
             found.push("not-alone", "g", None, message, help);
@@ -132,7 +134,7 @@ impl Project {
 /// that CMake keeps for itself, with the library it links.
 const NAMES: &str = "
     arrived build config control core debug due fail failed largest loop measure norm plant real row
-    rows run sample sent setup start_timer steps step_count stop table ticks turn turns vector word
+    norm_of_axes rows run sample sent setup start_timer steps step_count stop table ticks turn turns vector word
     main startup
     alloc cortex_m cortex_m_rt cortex_m_semihosting std
     all all_build clean continuous depend edit_cache experimental help install m nightly package

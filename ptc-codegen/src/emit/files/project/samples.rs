@@ -1,7 +1,8 @@
 //! The plant of a controller in samples, as a project simulates it.
 
 use super::super::example::Example;
-use super::super::head::plant_in_samples;
+use super::super::head::{chain, plant_in_samples};
+use super::axes::{self, each};
 use super::config::Words;
 use super::start::start;
 use crate::algebra::{BigRational, integer};
@@ -23,8 +24,8 @@ pub(super) struct Samples {
     /// The sample period in s, and whether it is fixed.
     pub(super) period: String,
     pub(super) period_fixed: bool,
-    /// x1 at the start.
-    pub(super) start: String,
+    /// x1 at the start, of each axis.
+    pub(super) starts: Vec<String>,
     /// Values that are measured.
     pub(super) measured: usize,
     /// Inputs under way.
@@ -59,7 +60,8 @@ impl Samples {
         let plant = match &sampled.linear {
             Some(plant) => linear(spec, plant, &sampled.delay, &text),
             None => Plant::Chain {
-                gain: (sampled.gain != integer(1)).then(|| text(&sampled.gain)),
+                gain: (sampled.gain != integer(1) && spec.axes.is_none())
+                    .then(|| text(&sampled.gain)),
                 force: match spec.drift.as_ref().map(Expression::node) {
                     Some(Node::Number(force)) => Some(text(force)),
                     Some(Node::Parameter(parameter)) => {
@@ -70,17 +72,18 @@ impl Samples {
             },
         };
         let force = if sampled.disturbance { FORCE } else { 0.0 };
-        let (start, force) = start(spec, sampled, example, force);
+        let of_each = |own: Spec| Some(start(&own, own.sampled()?, example, force));
+        let (starts, forces): (Vec<_>, Vec<_>) = each(spec).filter_map(of_each).unzip();
         Self {
             count,
             count_fixed,
             period,
             period_fixed,
-            start: words.number(start),
+            starts: starts.into_iter().map(|start| words.number(start)).collect(),
             measured: sampled.measured,
             delay: sampled.delay.inputs(),
             part: (!sampled.delay.is_whole()).then(|| text(&sampled.delay.part())),
-            force: sampled.disturbance.then(|| words.number(force)),
+            force: forces.first().filter(|_| sampled.disturbance).map(|d| words.number(*d)),
             about: about(spec, sampled),
             plant,
         }
@@ -107,6 +110,10 @@ fn linear(
 }
 
 fn about(spec: &Spec, sampled: &Sampled) -> String {
+    if spec.axes.is_some() {
+        let gained = each(spec).any(|own| own.sampled().is_some_and(|s| s.gain != integer(1)));
+        return axes::about(spec, chain(spec.n, if gained { "g u" } else { "u" }));
+    }
     let plant = plant_in_samples(spec, sampled);
     match &sampled.linear {
         Some(_) if !sampled.measures_states() => format!("{plant}, y = C x"),

@@ -4,27 +4,13 @@ use std::collections::BTreeMap;
 
 use super::super::block::{Block, Ends, declared};
 use super::super::text::{Lines, Text};
-use super::library::{Kind, Library, Member, Scope, Section, Structure, Unit, Vector};
+use super::library::{Kind, Library, Member, Scope, Section, Unit};
 use super::target::{factors, literal};
-use super::{Gives, StructuredText, helpers};
-use crate::code::{Expr, Finish, Function, Owner, Shape, Table, Variable};
+use super::{StructuredText, helpers};
+use crate::code::{Expr, Function, Shape, Status};
 use crate::internal::fault;
 
 impl StructuredText<'_> {
-    fn kind(&self, shape: Shape) -> Kind {
-        match shape {
-            Shape::Count => Kind::Elementary("UDINT"),
-            Shape::Real => Kind::Elementary(self.real),
-            Shape::Reals(length) => {
-                self.lengths.borrow_mut().insert(length);
-                Kind::Derived(helpers::vector(&self.code.name, length))
-            }
-            Shape::Gains | Shape::Lists(..) | Shape::Statuses(_) => {
-                fault("a function block gives no gains")
-            }
-        }
-    }
-
     fn function(&self, name: &str) -> &Function {
         let found = self.code.functions.iter().find(|function| function.name == name);
         found.unwrap_or_else(|| fault(format!("no function {name}")))
@@ -35,20 +21,14 @@ impl StructuredText<'_> {
         self.code.function("update").is_some()
     }
 
-    /// Returns the function that a call runs unless it is `init` or `arm`.
-    fn call(&self) -> &Function {
-        self.function(if self.observes() { "update" } else { "step" })
+    /// The number of inputs, where the block gives an array of them.
+    pub(super) fn several(&self) -> Option<usize> {
+        self.code.axes()
     }
 
-    /// The functions that give what the controller keeps: outputs of the function block.
-    pub(super) fn outputs(&self) -> impl Iterator<Item = &Function> {
-        let kept = |gives| matches!(gives, Gives::Array | Gives::Number);
-        let outputs = self.code.functions.iter().filter(move |f| kept(Gives::of(f)));
-        outputs.filter(|f| f.owner == Owner::Controller).inspect(|function| {
-            if !function.body.is_empty() || !function.arguments.is_empty() {
-                fault(format!("{} does more than to give what is kept", function.name));
-            }
-        })
+    /// Returns the function that a call runs unless it is `init` or `arm`.
+    pub(super) fn call(&self) -> &Function {
+        self.function(if self.observes() { "update" } else { "step" })
     }
 
     /// The block, and what goes with it.
@@ -91,30 +71,20 @@ impl StructuredText<'_> {
         out.text()
     }
 
-    /// The types of the arrays.
-    fn vectors(&self) -> Vec<Vector> {
-        let vector = |&length: &usize| Vector {
-            name: helpers::vector(&self.code.name, length),
-            length,
-            of: self.real,
-        };
-        self.lengths.borrow().iter().map(vector).collect()
-    }
-
     /// The statements of the block.
     fn body(&mut self) -> String {
-        if !self.observes() {
-            self.out.line(format!("u := {};", self.literal("0.0")));
-        }
+        self.no_input();
         let (arm, step) = (self.function("arm").clone(), self.call().clone());
         self.start(&arm);
         self.out.turn("ELSIF NOT ready THEN");
-        self.out.line("status := -2;");
+        self.settle(Status::Input.number());
         self.out.turn("ELSE");
         self.owner = "self";
         self.block(&step.body);
         self.give_outputs();
-        self.finish(&step.finish);
+        if self.several().is_none() {
+            self.finish(&step.finish);
+        }
         self.out.close("END_IF;");
         self.out.text().trim_end().to_owned()
     }
@@ -123,7 +93,7 @@ impl StructuredText<'_> {
     fn start(&mut self, arm: &Function) {
         let code = self.code;
         self.out.open("IF init OR arm THEN");
-        self.out.line("status := -1;");
+        self.settle(Status::Param.number());
         self.owner = "built";
         self.out.open("IF init THEN");
         self.block(&code.init);
@@ -148,18 +118,8 @@ impl StructuredText<'_> {
         self.out.line("self := built;");
         self.owner = "self";
         self.give_outputs();
-        self.out.line("ready := TRUE;\nstatus := 0;");
-    }
-
-    fn structure<'v>(
-        &self,
-        kind: &str,
-        members: impl Iterator<Item = (String, &'v Variable)>,
-    ) -> Structure {
-        let member =
-            |(name, v): (String, &Variable)| Member::new(name, self.kind(v.shape), &v.about);
-        let name = format!("{}_{kind}", self.code.name);
-        Structure { name, members: members.map(member).collect() }
+        self.out.line("ready := TRUE;");
+        self.settle(Status::Ok.number());
     }
 
     /// The variables of the block.
@@ -191,18 +151,6 @@ impl StructuredText<'_> {
         all.into_iter().filter(is_used).collect()
     }
 
-    /// A table, row by row.
-    fn constant(&self, table: &Table) -> Member {
-        // A constant has its sign behind its type.
-        let signed = |number: String| match number.strip_prefix('-').and_then(|n| n.split_once('#'))
-        {
-            Some((kind, digits)) => format!("{kind}#-{digits}"),
-            None => number,
-        };
-        let numbers = self.rows(table).into_iter().flatten().map(signed).collect();
-        Member::new(self.named(&table.name), Kind::Table(self.real, numbers), &table.about)
-    }
-
     fn inputs(&self) -> Vec<Member> {
         let code = self.code;
         let flag = |name, about| Member::new(name, Kind::Elementary("BOOL"), about);
@@ -225,20 +173,6 @@ impl StructuredText<'_> {
             Member::new(self.local(&argument.name), self.kind(argument.shape), &argument.about)
         }));
         inputs
-    }
-
-    /// The outputs.
-    fn given(&self) -> Vec<Member> {
-        let mut given = Vec::new();
-        if !self.observes() {
-            given.push(Member::new("u", Kind::Elementary(self.real), "input of the plant"));
-        }
-        given.push(Member::new("status", Kind::Elementary("INT"), "see the head"));
-        given.extend(self.outputs().filter_map(|function| {
-            let first = function.results.first()?;
-            Some(Member::new(function.name, self.kind(first.shape), &function.about))
-        }));
-        given
     }
 
     /// The local values, and the variables of the loops.
@@ -267,42 +201,30 @@ impl StructuredText<'_> {
         members
     }
 
-    /// Sets the outputs that show what is kept.
-    fn give_outputs(&mut self) {
-        let outputs: Vec<_> = self.outputs().cloned().collect();
-        for function in outputs {
-            let (Some(given), Finish::Give(values, _)) =
-                (function.results.first(), &function.finish)
-            else {
-                continue;
-            };
-            for (index, value) in values.iter().enumerate() {
-                let place = match given.shape.length() {
-                    Some(_) => self.element(function.name, index),
-                    None => function.name.to_owned(),
-                };
-                let value = self.alone(value);
-                self.out.line(format!("{place} := {value};"));
-            }
-        }
-    }
-
     /// Functions of numbers that the block calls.
     fn helpers(&self) -> Vec<Unit> {
         let name = &self.code.name;
-        let (mut counts, mut divides) = (false, false);
-        self.code.visit(&mut |value| match value {
+        let (mut counts, mut quotients, mut divisors) = (false, false, false);
+        let look = &mut |value: &Expr| match value {
             Expr::CountSub(..) | Expr::CountLeft(..) => counts = true,
-            Expr::Quotient(..) => divides = true,
+            Expr::Quotient(..) => quotients = true,
+            Expr::Divisor(_) => divisors = true,
             _ => {}
-        });
+        };
+        self.code.visit(look);
+        let subroutines = self.code.subroutines();
+        let bodies = subroutines.iter().flat_map(|subroutine| subroutine.body(0));
+        bodies.for_each(|statement| statement.visit(look));
         let mut functions = Vec::new();
         if counts {
             functions.extend([helpers::ticks(name), helpers::left(name)]);
         }
-        if divides {
-            let [zero, huge] = ["0.0", "1e38"].map(|digits| literal(digits, self.code.precision));
-            functions.push(helpers::quotient(name, self.real, &zero, &huge));
+        let [zero, huge] = ["0.0", "1e38"].map(|digits| literal(digits, self.code.precision));
+        if quotients {
+            functions.push(helpers::quotient(name, self.real, [&zero, &huge]));
+        }
+        if divisors {
+            functions.push(helpers::divisor(name, self.real, [&zero, &huge]));
         }
         functions
     }

@@ -1,11 +1,16 @@
 //! Functions beside the block, and what its head says of its use.
 
 use super::library::{Member, Scope, Section, Unit};
-use crate::code::Code;
+use crate::code::{Code, Shape};
 
-/// A function of two values of type `kind`.
-fn of_two(name: String, kind: &'static str, about: &str, body: String) -> Unit {
-    let members = ["a", "b"].map(|name| Member::plain(name, kind)).into();
+/// A function of values of type `kind`.
+fn function(
+    (name, names): (String, &[&str]),
+    kind: &'static str,
+    about: &str,
+    body: String,
+) -> Unit {
+    let members = names.iter().map(|name| Member::plain(name, kind)).collect();
     let sections = vec![Section { scope: Scope::Input, members }];
     Unit { name, about: about.to_owned(), returns: Some(kind), sections, body }
 }
@@ -20,7 +25,7 @@ ELSE
     {name}_ticks := (UDINT#4294967295 - b) + a + UDINT#1;
 END_IF;"
     );
-    of_two(format!("{name}_ticks"), "UDINT", "a - b, modulo 2^32.", body)
+    function((format!("{name}_ticks"), &["a", "b"]), "UDINT", "a - b, modulo 2^32.", body)
 }
 
 /// Function that returns the remainder of a count, or 0.
@@ -33,33 +38,56 @@ ELSE
     {name}_left := UDINT#0;
 END_IF;"
     );
-    of_two(format!("{name}_left"), "UDINT", "a - b, 0 where b is greater.", body)
+    function((format!("{name}_left"), &["a", "b"]), "UDINT", "a - b, 0 where b is greater.", body)
 }
 
 /// A quotient.
-pub(super) fn quotient(name: &str, real: &'static str, zero: &str, huge: &str) -> Unit {
+pub(super) fn quotient(name: &str, real: &'static str, numbers: [&str; 2]) -> Unit {
+    let about = "a / b, and not a number where b is 0: some controllers stop at a division by 0.";
+    let names = (format!("{name}_quotient"), &["a", "b"][..]);
+    unless_zero(names, real, ["b", "a / b"], about, numbers)
+}
+
+/// A divisor.
+pub(super) fn divisor(name: &str, real: &'static str, numbers: [&str; 2]) -> Unit {
+    let about = "a, and not a number where a is 0: some controllers stop at a division by 0.";
+    let names = (format!("{name}_divisor"), &["a"][..]);
+    unless_zero(names, real, ["a", "a"], about, numbers)
+}
+
+/// A function that returns a value unless a number is 0: then it returns NaN, the difference of two infinities.
+fn unless_zero(
+    (name, names): (String, &[&str]),
+    real: &'static str,
+    [divisor, value]: [&str; 2],
+    about: &str,
+    [zero, huge]: [&str; 2],
+) -> Unit {
     let body = format!(
         "\
-IF (b < {zero}) OR (b > {zero}) THEN
-    {name}_quotient := a / b;
+IF ({divisor} < {zero}) OR ({divisor} > {zero}) THEN
+    {name} := {value};
 ELSE
     huge := {huge};
     FOR i := 1 TO 4 DO
         huge := huge * huge;
     END_FOR;
-    {name}_quotient := huge - huge;
+    {name} := huge - huge;
 END_IF;"
     );
-    let about = "a / b, and not a number where b is 0: some controllers stop at a division by 0.";
-    let mut unit = of_two(format!("{name}_quotient"), real, about, body);
+    let mut unit = function((name, names), real, about, body);
     let members = vec![Member::plain("huge", real), Member::plain("i", "DINT")];
     unit.sections.push(Section { scope: Scope::Local, members });
     unit
 }
 
-/// The name of the array type of a length.
-pub(super) fn vector(name: &str, length: usize) -> String {
-    format!("{name}_vector{length}")
+/// The name of the type of an array.
+pub(super) fn array(name: &str, shape: Shape) -> String {
+    match shape {
+        Shape::Lists(rows, columns) => format!("{name}_matrix{rows}x{columns}"),
+        Shape::Statuses(count) => format!("{name}_statuses{count}"),
+        shape => format!("{name}_vector{}", shape.length().unwrap_or(1)),
+    }
 }
 
 /// The name of a number beyond the range of a REAL.
@@ -81,6 +109,11 @@ status; on a negative one nothing has changed:
   -2  an argument is not finite, or no init before
   -3  an estimate is not finite
 Numbers are those of IEEE 754.";
+
+/// The statuses of several inputs.
+const SEVERAL: &str = "\
+u[i] is input i and axes[i] its status, with the same numbers. status is negative if one of axes
+is, and then every u is 0; otherwise it is 2 if an input was clipped.";
 
 /// Describes the usage of the function block.
 pub(super) fn about(code: &Code, real: &str) -> String {
@@ -112,15 +145,19 @@ status; on a negative one u is 0 and nothing has changed; u is 0 after init and 
   -3  u not finite
 Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number."
     );
+    if code.axes().is_some() {
+        text.push_str("\n\n");
+        text.push_str(SEVERAL);
+    }
     let step = code.function("step");
     let length = step.and_then(|step| step.arguments.iter().find_map(|a| a.shape.length()));
     for callback in step.into_iter().flat_map(|step| &step.callbacks) {
-        let (name, array, n) = (callback.name, callback.array, length.unwrap_or(1));
+        let (name, given, n) = (callback.name, callback.array, length.unwrap_or(1));
         text.push_str(&format!(
-            "\n{}\n  It is a FUNCTION {}_{name} : {real} of the project, with the inputs\n  {array} : {} and t : {real}.",
+            "\n{}\n  It is a FUNCTION {}_{name} : {real} of the project, with the inputs\n  {given} : {} and t : {real}.",
             callback.about,
             code.name,
-            vector(&code.name, n)
+            array(&code.name, Shape::Reals(n))
         ));
     }
     text

@@ -16,11 +16,12 @@ pub(in crate::emit) struct Structure {
     pub(in crate::emit) members: Vec<Member>,
 }
 
-/// An array type with indices from 1 to its length. Arrays have named types, for IEC 61131-3 makes
+/// An array type with indices from 1 to its lengths. Arrays have named types, for IEC 61131-3 makes
 /// each anonymous type a type of its own, to which no variable can be assigned.
 pub(in crate::emit) struct Vector {
     pub(in crate::emit) name: String,
-    pub(in crate::emit) length: usize,
+    /// One length, or the numbers of rows and columns.
+    pub(in crate::emit) lengths: Vec<usize>,
     pub(in crate::emit) of: &'static str,
 }
 
@@ -131,8 +132,10 @@ impl Library {
         out.line("(*");
         self.block.about.lines().for_each(|line| out.line(format!("  {line}")));
         out.line("*)\n");
-        for Vector { name, length, of } in &self.vectors {
-            out.line(format!("TYPE {name} : ARRAY[1..{length}] OF {of}; END_TYPE\n"));
+        for Vector { name, lengths, of } in &self.vectors {
+            let ranges: Vec<_> = lengths.iter().map(|length| format!("1..{length}")).collect();
+            let ranges = ranges.join(", ");
+            out.line(format!("TYPE {name} : ARRAY[{ranges}] OF {of}; END_TYPE\n"));
         }
         for Structure { name, members } in &self.structures {
             out.line(format!("TYPE {name} :"));

@@ -4,21 +4,23 @@
 mod block;
 mod helpers;
 mod library;
+mod outputs;
 mod target;
+mod text;
+mod types;
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use super::block::{Around, Block, Branch, Ends};
 use super::gives::Gives;
-use super::text::{Level, Lines, Text};
-use crate::code::{Code, Ending, Expr, For, Shape, Status, Subroutine, Table, Test};
+use super::text::{Lines, Text};
+use crate::code::{Code, Ending, Expr, For, Shape, Status, Subroutine, Test};
 use crate::emit::File;
 use crate::internal::fault;
 use crate::parameter::Precision;
 pub(in crate::emit) use library::{Kind, Library, Scope, Unit};
 pub(in crate::emit) use target::{TARGET, names_itself};
-use target::{greatest, is_narrow, is_word, literal};
 
 pub(super) struct StructuredText<'a> {
     code: &'a Code,
@@ -27,8 +29,8 @@ pub(super) struct StructuredText<'a> {
     owner: &'static str,
     /// In the statements of a subroutine, the array that it changes, and the one that stands for it.
     applied: Option<(&'static str, String)>,
-    /// Lengths of the arrays, each of which is a type.
-    lengths: RefCell<BTreeSet<usize>>,
+    /// Shapes of the arrays, each of which is a type.
+    arrays: RefCell<BTreeSet<Shape>>,
     /// Digits of the numbers that no REAL can hold, in the order in which they are used.
     wide: RefCell<Vec<String>>,
     out: Lines,
@@ -42,137 +44,6 @@ pub(in crate::emit) fn file(code: &Code) -> File {
 /// Returns the contents of that file.
 pub(in crate::emit) fn library(code: &Code) -> Library {
     StructuredText::new(code).library()
-}
-
-impl Text for StructuredText<'_> {
-    fn as_text(&self) -> &dyn Text {
-        self
-    }
-
-    fn precision(&self) -> Precision {
-        self.code.precision
-    }
-
-    fn literal(&self, digits: &str) -> String {
-        if self.code.precision == Precision::F32 || is_narrow(digits) {
-            return literal(digits, self.code.precision);
-        }
-        let mut wide = self.wide.borrow_mut();
-        let index = wide.iter().position(|one| one == digits).unwrap_or_else(|| {
-            wide.push(digits.to_owned());
-            wide.len() - 1
-        });
-        helpers::wide(index)
-    }
-
-    fn count(&self, count: u32) -> String {
-        format!("UDINT#{count}")
-    }
-
-    fn local(&self, name: &str) -> String {
-        if let Some((changed, to)) = &self.applied {
-            return match name == *changed {
-                true => self.named(to),
-                false => helpers::of_subroutine(name),
-            };
-        }
-        self.named(name)
-    }
-
-    fn first(&self) -> i32 {
-        1
-    }
-
-    fn field(&self, name: &str) -> String {
-        format!("{}.{}", self.owner, self.local(name))
-    }
-
-    fn parameter(&self, name: &str) -> String {
-        format!("params.{name}")
-    }
-
-    fn element(&self, array: &str, index: usize) -> String {
-        format!("{array}[{}]", index + 1)
-    }
-
-    fn count_sub(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Atom, format!("{}_ticks({a}, {b})", self.code.name))
-    }
-
-    fn count_left(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Atom, format!("{}_left({a}, {b})", self.code.name))
-    }
-
-    fn tabulated(&self, table: &str, row: &str, column: usize) -> String {
-        let columns = self.code.table(table).map_or(0, Table::columns);
-        let cell = format!("UDINT#{columns} * {row}");
-        match column {
-            0 => format!("{}[{cell}]", self.named(table)),
-            column => format!("{}[{cell} + UDINT#{column}]", self.named(table)),
-        }
-    }
-
-    fn real(&self, count: &str) -> (Level, String) {
-        (Level::Atom, format!("UDINT_TO_{}({count})", self.real))
-    }
-
-    fn choose(&self, test: &str, yes: &str, no: &str) -> (Level, String) {
-        (Level::Atom, format!("SEL({test}, {no}, {yes})"))
-    }
-
-    fn call(&self, function: &str, arguments: &[String]) -> String {
-        let function = if function == "pow" { "EXPT".to_owned() } else { function.to_uppercase() };
-        format!("{function}({})", arguments.join(", "))
-    }
-
-    fn fused(&self, _operands: &[String; 3]) -> Option<String> {
-        None
-    }
-
-    fn abs(&self, a: &str) -> String {
-        format!("ABS({a})")
-    }
-
-    fn sign(&self, a: &str) -> (Level, String) {
-        let (zero, one) = (self.literal("0.0"), self.literal("1.0"));
-        (Level::Atom, format!("SEL({a} > {zero}, SEL({a} < {zero}, {a}, -{one}), {one})"))
-    }
-
-    fn quotient(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Atom, format!("{}_quotient({a}, {b})", self.code.name))
-    }
-
-    fn nan(&self) -> String {
-        fault("no number has no literal")
-    }
-
-    fn callback(&self, name: &str, array: &str, time: &str) -> String {
-        format!("{}_{name}({array}, {time})", self.code.name)
-    }
-
-    fn not_number(&self, value: &str) -> String {
-        format!("({value} <> {value})")
-    }
-
-    fn status(&self, status: Status) -> String {
-        status.number().to_string()
-    }
-
-    fn finite(&self, value: &str) -> String {
-        format!("(ABS({value}) <= {})", self.literal(greatest(self.code.precision)))
-    }
-
-    fn and(&self) -> &'static str {
-        "AND"
-    }
-
-    fn or(&self) -> &'static str {
-        "OR"
-    }
-
-    fn equal(&self) -> &'static str {
-        "="
-    }
 }
 
 impl Block for StructuredText<'_> {
@@ -210,7 +81,8 @@ impl Block for StructuredText<'_> {
     fn require(&mut self, test: &Test, status: Status) {
         let line = self.refused(test);
         self.out.open(line);
-        self.out.line(format!("status := {};\nRETURN;", status.number()));
+        self.settle(status.number());
+        self.out.line("RETURN;");
         self.out.close("END_IF;");
     }
 
@@ -236,9 +108,7 @@ impl Block for StructuredText<'_> {
     }
 
     fn laws(&mut self, _: &str, callback: &str, _: &[&str; 3], _: usize) {
-        fault(format!(
-            "{callback} gives several values, and plants with several inputs are refused"
-        ))
+        fault(format!("{callback} gives several values, and such laws are refused"))
     }
 
     /// A loop that may have one round is written as WHILE: MatIEC leaves out the body of a FOR whose
@@ -247,7 +117,13 @@ impl Block for StructuredText<'_> {
         let index = self.local(&each.index);
         let (from, last) = (self.end(&each.from, 0), self.end(&each.to, -1));
         if each.down {
-            fault(format!("the loop over {index} counts down"));
+            // A count does not pass below 0.
+            let (behind, first) = (self.end(&each.to, 0), self.end(&each.from, 0));
+            return Around {
+                before: Some(format!("{index} := {behind};")),
+                first: Some(format!("{index} := {index} - {};", self.whole(1))),
+                ..Around::new(format!("WHILE {index} > {first} DO"), "END_WHILE;")
+            };
         }
         let known = each.from.terms.is_empty() && each.to.terms.is_empty();
         let rounds = i64::from(each.to.constant) - i64::from(each.from.constant);
@@ -300,24 +176,9 @@ impl<'a> StructuredText<'a> {
             real,
             owner: "self",
             applied: None,
-            lengths: RefCell::default(),
+            arrays: RefCell::default(),
             wide: RefCell::default(),
             out: Lines::default(),
         }
-    }
-
-    /// A name of the code: capitals and small letters are one, and words of the language, and the function block's
-    /// own names, are left to them.
-    fn named(&self, name: &str) -> String {
-        let letter = |c: char| match c.is_ascii_uppercase() {
-            true => format!("cap_{}", c.to_ascii_lowercase()),
-            false => c.to_string(),
-        };
-        let name: String = name.chars().map(letter).collect();
-        let own = ["built", "ready", "self", "status"].contains(&name.as_str());
-        let own = own || (name == "u" && !self.observes());
-        let own = own || name.strip_prefix("wide").is_some_and(|rest| rest.parse::<u32>().is_ok());
-        let given = self.outputs().any(|function| function.name == name);
-        if own || given || is_word(&name) { format!("{name}_now") } else { name }
     }
 }

@@ -51,21 +51,14 @@ fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
             "it is for simulation, not for a controller: emit it in another language",
         );
     }
-    if spec.coupled.is_some() {
+    let several = spec.axes.as_ref().is_some_and(|axes| axes.count > 1);
+    if several && spec.feedback == Feedback::Extern {
         found.push(
             "unsupported",
-            "inputs",
+            "pi0",
             None,
-            "a plant with several inputs is not emitted in st",
-            "emit it in another language, and call that from the program",
-        );
-    } else if spec.axes.is_some() {
-        found.push(
-            "unsupported",
-            "axes",
-            None,
-            "several axes are not emitted in st",
-            "leave `axes` out, and make an instance of the function block for each axis, armed at the same start_time",
+            "a user-defined law of several inputs returns an array, which no function in st can",
+            "write the law in the design, or emit it in another language",
         );
     }
     let mut seen = BTreeSet::new();
