@@ -1,0 +1,58 @@
+//! The bounds of a horizon as numbers.
+
+use num_traits::ToPrimitive;
+
+use super::{Bound, Horizon, Signal, Stretch};
+use crate::algebra::BigRational;
+
+impl Horizon {
+    /// The values whose sizes the limits of their signals have to admit, from coordinates with `left` samples to go.
+    pub(crate) fn values(&self, z: &[f64], left: u32) -> Vec<(Signal, f64)> {
+        match self.stretches.iter().find(|stretch| left > stretch.above) {
+            Some(stretch) => stretch.values(z, left),
+            None => self.held.iter().map(|bound| bound.value(z)).collect(),
+        }
+    }
+}
+
+impl Stretch {
+    fn values(&self, z: &[f64], left: u32) -> Vec<(Signal, f64)> {
+        let weights = self.weights_of(z, left);
+        let length = f64::from(left - self.above - 1);
+        let mut all = Vec::new();
+        for curve in &self.curves {
+            let mut scale = 1.0;
+            let mut powers = Vec::with_capacity(curve.powers.len());
+            for factors in &curve.powers {
+                powers.push(scale * sum(factors, &weights));
+                scale *= length;
+            }
+            all.extend(curve.bernstein.iter().map(|row| (curve.signal, sum(row, &powers))));
+        }
+        all.extend(self.behind.iter().map(|bound| bound.value(&weights)));
+        all
+    }
+
+    /// The w_j.
+    fn weights_of(&self, z: &[f64], left: u32) -> Vec<f64> {
+        let shifted = f64::from(left) + f64::from(self.course.least - 1);
+        let powers = |count: u32| (0..count).map(|q| shifted - f64::from(q)).product::<f64>();
+        let scaled: Vec<_> = (0..).zip(z).map(|(i, own)| own * powers(i)).collect();
+        let rows = self.amplitudes.rows().iter().enumerate();
+        rows.map(|(j, row)| sum(row, &scaled) / powers(self.course.exponent(j))).collect()
+    }
+}
+
+impl Bound {
+    fn value(&self, by: &[f64]) -> (Signal, f64) {
+        (self.signal, sum(&self.row, by) / number(&self.share))
+    }
+}
+
+fn sum(factors: &[BigRational], values: &[f64]) -> f64 {
+    factors.iter().zip(values).map(|(factor, value)| number(factor) * value).sum()
+}
+
+fn number(value: &BigRational) -> f64 {
+    value.to_f64().unwrap_or(f64::NAN)
+}
