@@ -17,6 +17,8 @@ pub enum Status {
     /// A reading was lost or further from its prediction than `innovation_max`: the observer predicted alone. Wins over
     /// all others.
     Gated,
+    /// The deadline was put off to the soonest one that keeps the limits, as one of them would have been exceeded.
+    Late,
 }
 
 /// The control of one step; `R` is the floating-point type of the controller.

@@ -12,6 +12,8 @@ pub enum Error {
     Input,
     /// `step`: u is not a number, or it overflows and `u_max` is infinite.
     Range,
+    /// `arm_for`: the deadline is too soon for the limits. `soonest`: none was found that keeps them.
+    Soon,
 }
 
 impl fmt::Display for Error {
@@ -20,6 +22,7 @@ impl fmt::Display for Error {
             Self::Param => "a parameter is outside its domain",
             Self::Input => "x or t is not finite, or t is before t0",
             Self::Range => "u is not finite",
+            Self::Soon => "no deadline so soon keeps the limits",
         })
     }
 }

@@ -141,6 +141,11 @@ pub use error::Error;
 /// | `poles_end` | poles of the law that takes over towards the end; with `clock = samples` | `least-energy`, `least-energy(weight = W)` or a list of them | none, or as soft as the law |
 /// | `end_samples` | samples to go from which on these are the poles | an integer of at least the order of the loop | from the poles |
 /// | `gain_bytes` | most bytes of the table of gains of least energy of a linear plant | an integer from 1 to 16777216 | what the law needs |
+/// | `late` | what becomes of a deadline that is too soon for the limits; with `clock = samples` | `clip`: u is clipped; `extend`: it is put off; `refuse`: `arm_for` refuses it | `clip` |
+/// | `pace` | deadline: kept as it was asked for, or planned as soon as the limits allow at every sample | `deadline` or `soonest` | `deadline` |
+/// | `state_max` | bounds of the states that a planned deadline keeps | a number > 0 or `inf`, or one for each state | `inf` |
+/// | `reserve` | part of each limit that a planned deadline leaves free | a number from 0 up to, not including, 1 | 0 |
+/// | `in_flight` | whether deadline, target and estimates may change while it runs; with `clock = samples` | `true` or `false` | `false`, `true` beside `late` |
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
 /// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
 /// | `observer` | law of the gains of the observer; with `clock = samples` | `prescribed`: a round; `stationary`: a Kalman filter | `prescribed` |

@@ -1,9 +1,11 @@
 //! The keys of a design: tables that feed the reader, the help, the docs and the diagnostics.
 
+mod event;
 mod group;
 mod plant;
 pub mod verify;
 
+pub use event::EVENT_KEYS;
 pub use group::{GROUPS, Group};
 pub use plant::PLANT_KEYS;
 
@@ -24,7 +26,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 66] = [
+pub static KEYS: [KeyInfo; 71] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -331,6 +333,36 @@ pub static KEYS: [KeyInfo; 66] = [
         meaning: "most bytes of the table of gains of least energy beside A and B; with clock = samples",
         legal: "an integer from 1 to 16777216",
         example: "4096",
+    },
+    KeyInfo {
+        key: "late",
+        meaning: "what becomes of a deadline that is too soon for the limits; with clock = samples",
+        legal: "clip, extend or refuse",
+        example: "extend",
+    },
+    KeyInfo {
+        key: "pace",
+        meaning: "deadline: kept as it was asked for, or planned as soon as the limits allow at every sample; with clock = samples",
+        legal: "deadline or soonest",
+        example: "soonest",
+    },
+    KeyInfo {
+        key: "state_max",
+        meaning: "bounds of the states that a planned deadline keeps: speed, acceleration; with clock = samples",
+        legal: "a number > 0 or inf, or one for each state",
+        example: "inf,0.5",
+    },
+    KeyInfo {
+        key: "reserve",
+        meaning: "part of each limit that a planned deadline leaves free; with clock = samples",
+        legal: "a number from 0 up to, not including, 1",
+        example: "0.1",
+    },
+    KeyInfo {
+        key: "in_flight",
+        meaning: "whether deadline, target and estimates may change while it runs; with clock = samples",
+        legal: SWITCH,
+        example: "true",
     },
     KeyInfo {
         key: "measured",

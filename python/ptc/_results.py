@@ -26,12 +26,16 @@ class Status(IntEnum):
     """The deadline is over."""
     GATED = 4
     """A reading was not believed: u by prediction alone."""
+    LATE = 5
+    """The deadline was put off, as a limit would have been exceeded."""
     PARAM = -1
     """A parameter is outside its domain."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
     """u is not finite."""
+    SOON = -4
+    """A deadline is too soon for the limits, or none keeps them."""
 
 
 @dataclass(frozen=True)

@@ -155,10 +155,12 @@ pub extern \"C\" fn drive_{index}(record: *const {real}, status: *mut i32, u: *m
             Status::Saturated => 2,
             Status::After => 3,
             Status::Gated => 4,
+            Status::Late => 5,
         }}, control.u),
         Err(Error::Param) => (-1, 0.0),
         Err(Error::Input) => (-2, 0.0),
         Err(Error::Range) => (-3, 0.0),
+        Err(Error::Soon) => (-4, 0.0),
     }};
     let (t, x): (_, [{real}; {n}]) = (record[{start}], array(record, {start} + 1));
 {reference}    *status = [0; 4];

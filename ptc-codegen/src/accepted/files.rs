@@ -89,7 +89,7 @@ impl Accepted {
             Some(_) => Ok(emit::emit_with_proof(&self.controller())),
             None => {
                 let code = emit::sampled_c(&self.report);
-                Ok(emit::emit_sampled_with_proof(&self.report.spec, &code))
+                emit::emit_sampled_with_proof(&self.report.spec, &code)
             }
         })
     }

@@ -16,12 +16,16 @@ pub enum Status {
     After,
     /// A reading was not believed: the observer predicted alone.
     Gated,
+    /// The deadline was put off, as a limit would have been exceeded.
+    Late,
     /// A parameter outside its domain, or a coefficient that overflows.
     Param,
     /// An argument that is not finite.
     Input,
     /// A result that is not finite.
     Range,
+    /// A deadline that is too soon for the limits, or none that keeps them.
+    Soon,
 }
 
 impl Status {
@@ -33,9 +37,11 @@ impl Status {
             Self::Saturated => "Saturated",
             Self::After => "After",
             Self::Gated => "Gated",
+            Self::Late => "Late",
             Self::Param => "Param",
             Self::Input => "Input",
             Self::Range => "Range",
+            Self::Soon => "Soon",
         }
     }
 
@@ -48,9 +54,11 @@ impl Status {
             Self::Saturated,
             Self::After,
             Self::Gated,
+            Self::Late,
             Self::Param,
             Self::Input,
             Self::Range,
+            Self::Soon,
         ];
         let found = all.into_iter().find(|status| f64::from(status.number()) == number);
         found.unwrap_or_else(|| fault(format!("no status has the number {number}")))
@@ -64,9 +72,11 @@ impl Status {
             Self::Saturated => 2,
             Self::After => 3,
             Self::Gated => 4,
+            Self::Late => 5,
             Self::Param => -1,
             Self::Input => -2,
             Self::Range => -3,
+            Self::Soon => -4,
         }
     }
 }

@@ -43,6 +43,11 @@ pub static GROUPS: [Group; 6] = [
             "end_samples",
             "gain_bytes",
             "deadbeat",
+            "late",
+            "pace",
+            "state_max",
+            "reserve",
+            "in_flight",
         ],
     },
     Group {

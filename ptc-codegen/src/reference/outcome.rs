@@ -9,6 +9,8 @@ use crate::code;
 /// Outcome of a call, by the names and numbers of the emitted C.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Status {
+    /// A deadline that is too soon.
+    Soon = -4,
     /// u is not finite.
     Range = -3,
     /// Time or state is not finite, or t before t0.
@@ -25,6 +27,8 @@ pub enum Status {
     After = 3,
     /// A reading was not believed.
     Gated = 4,
+    /// The deadline was put off.
+    Late = 5,
 }
 
 impl From<code::Status> for Status {
@@ -35,9 +39,11 @@ impl From<code::Status> for Status {
             code::Status::Saturated => Self::Saturated,
             code::Status::After => Self::After,
             code::Status::Gated => Self::Gated,
+            code::Status::Late => Self::Late,
             code::Status::Param => Self::Param,
             code::Status::Input => Self::Input,
             code::Status::Range => Self::Range,
+            code::Status::Soon => Self::Soon,
         }
     }
 }
@@ -46,6 +52,7 @@ impl Status {
     /// Its name in C.
     pub fn c_name(self) -> &'static str {
         match self {
+            Self::Soon => "PTC_E_SOON",
             Self::Range => "PTC_E_RANGE",
             Self::Input => "PTC_E_INPUT",
             Self::Param => "PTC_E_PARAM",
@@ -54,6 +61,7 @@ impl Status {
             Self::Saturated => "PTC_SATURATED",
             Self::After => "PTC_AFTER",
             Self::Gated => "PTC_GATED",
+            Self::Late => "PTC_LATE",
         }
     }
 

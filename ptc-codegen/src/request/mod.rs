@@ -3,6 +3,7 @@
 mod axes;
 mod command;
 mod fingerprint;
+mod flight;
 mod input_limits;
 mod larger;
 mod least_energy;
@@ -22,6 +23,7 @@ mod units;
 pub use axes::Axes;
 #[cfg(feature = "files")]
 pub(crate) use fingerprint::hash;
+pub use flight::{Flight, Late};
 pub use input_limits::Limits;
 pub(crate) use input_limits::RUNTIME;
 pub use larger::LargerPlant;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::{Clock, EndLaw, Feedback, Observer, Spec};
+use super::{Clock, EndLaw, Feedback, Flight, Observer, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
@@ -41,6 +41,8 @@ pub struct Sampled {
     pub end: Option<EndLaw>,
     /// The observer; `None` if every state is measured.
     pub observer: Option<Observer>,
+    /// What may change while it runs; `None` where its deadline is that of `arm`.
+    pub flight: Option<Flight>,
     /// True if the law of the delay follows from the poles because it was left open.
     pub leaves_delay_law: bool,
     /// True if eps is 0 because it was left open.

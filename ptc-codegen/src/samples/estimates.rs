@@ -36,30 +36,14 @@ impl Builder<'_> {
     /// holds at the first measurement.
     fn corrected(&mut self, end: &Expr, unseen: Test) -> Vec<Statement> {
         let (measured, real) = (self.sampled.measured, Shape::Real);
-        let part = self.sampled.delay.part();
-        let chain = Pair::chain(self.spec.n + 1 - measured, &self.sampled.gain, &part);
-        let pair = if self.sampled.disturbance { chain.with_disturbance() } else { chain };
+        let pair = self.pair_of_chain();
         let (order, names) = (pair.order(), self.estimated());
         let mut body = vec![Statement::Note("Predict.".to_owned())];
         for name in &names {
             self.remember(&format!("{name}_hat"), &format!("estimate of {name}"));
         }
         let power = |j: usize| pair.powers[j];
-        for i in 0..order {
-            let terms: Vec<_> = (0..order)
-                .filter(|j| *pair.phi.at(i, *j) != BigRational::default())
-                .map(|j| {
-                    let value = Expr::Number(pair.phi.at(i, j).clone())
-                        .mul(self.period(power(i) - power(j)));
-                    let name = format!("phi{}_{}", i + 1, j + 1);
-                    let state = Expr::field(format!("{}_hat", names[j]));
-                    self.keep(&name, "prediction from a state", value).mul(state)
-                })
-                .collect();
-            let force = self.force();
-            let input = self.moved(&pair, i, &force);
-            body.push(Statement::Let(format!("p{}", i + 1), real, Expr::sum(terms).add(input)));
-        }
+        body.extend(self.prediction(&pair));
         body.push(Statement::Note(match self.coasts() {
             true => "Correct by what is measured, where it is believed.".to_owned(),
             false => "Correct by what is measured.".to_owned(),
@@ -99,6 +83,37 @@ impl Builder<'_> {
             let base = if i == 0 { "base".to_owned() } else { format!("p{}", i + 1) };
             let correction = Expr::local(format!("l{}", i + 1)).mul(Expr::local("miss"));
             body.push(Statement::Let(name.clone(), real, Expr::local(base).add(correction)));
+        }
+        body
+    }
+
+    /// The part of a chain that is estimated, with the disturbance.
+    pub(super) fn pair_of_chain(&self) -> Pair {
+        let (n, part) = (self.spec.n + 1 - self.sampled.measured, self.sampled.delay.part());
+        let chain = Pair::chain(n, &self.sampled.gain, &part);
+        if self.sampled.disturbance { chain.with_disturbance() } else { chain }
+    }
+
+    /// Statements that set p1, ..., the estimates as they are predicted for now.
+    pub(super) fn prediction(&mut self, pair: &Pair) -> Vec<Statement> {
+        let (order, names) = (pair.order(), self.estimated());
+        let power = |j: usize| pair.powers[j];
+        let mut body = Vec::with_capacity(order);
+        for i in 0..order {
+            let terms: Vec<_> = (0..order)
+                .filter(|j| *pair.phi.at(i, *j) != BigRational::default())
+                .map(|j| {
+                    let value = Expr::Number(pair.phi.at(i, j).clone())
+                        .mul(self.period(power(i) - power(j)));
+                    let name = format!("phi{}_{}", i + 1, j + 1);
+                    let state = Expr::field(format!("{}_hat", names[j]));
+                    self.keep(&name, "prediction from a state", value).mul(state)
+                })
+                .collect();
+            let force = self.force();
+            let input = self.moved(pair, i, &force);
+            let value = Expr::sum(terms).add(input);
+            body.push(Statement::Let(format!("p{}", i + 1), Shape::Real, value));
         }
         body
     }

@@ -93,6 +93,12 @@ impl Builder<'_> {
         (statements, horner.add(drifts))
     }
 
+    /// Coordinate `i`, from 0.
+    pub(super) fn flat_coordinate(&mut self, flat: &Flat, i: usize) -> Expr {
+        let row = flat.of.s.rows()[i].iter().cloned().map(Expr::Number).collect();
+        self.combine(flat, &format!("s{}", i + 1), row)
+    }
+
     /// Deadbeat: the drift is in its gains.
     pub(super) fn deadbeat(&mut self, flat: &Flat) -> Expr {
         let gains = deadbeat(flat.order());

@@ -6,6 +6,7 @@ use num_traits::ToPrimitive;
 
 use super::controller::Builder;
 use super::ends::{HELD_PART, is_noisy, switch};
+use super::flight::ROUND;
 use super::observer::{Injection, Recurrence};
 use super::rows::rows_of_numbers;
 use crate::algebra::{BigInt, BigRational, integer};
@@ -135,7 +136,11 @@ impl<'a> Builder<'a> {
 
     /// The samples to go to the end of a round, and those of the gains.
     fn count_of_round(&mut self, round: &Round, end: &Expr) -> Vec<Statement> {
-        let left = end.clone().count_left(Expr::local("elapsed"));
+        let round_left = match self.flight() {
+            Some(_) => Expr::field(ROUND),
+            None => end.clone(),
+        };
+        let left = round_left.count_left(Expr::local("elapsed"));
         let from = BigRational::from_integer(switch(round));
         let going = Expr::local("left_o").real();
         let noisy = is_noisy(self.spec) && self.observer().lasting == Lasting::Held;

@@ -16,6 +16,7 @@ mod coordinates;
 mod ends;
 mod estimates;
 mod feedback;
+mod flight;
 mod formula;
 mod gains;
 mod gate;

@@ -42,7 +42,7 @@ impl Builder<'_> {
         body.push(Statement::Note("The law of least energy.".to_owned()));
         let between = schedule.pieces.len() > 1;
         if between {
-            let above = Expr::local(ROW).count_add(1);
+            let above = Expr::local(ROW).count_add(Expr::Count(1));
             body.push(Statement::Let(ABOVE.to_owned(), Shape::Count, above));
         }
         body.push(Statement::Variable(law.name.clone(), Shape::Real));
@@ -125,7 +125,7 @@ fn row_of(piece: &Piece) -> Expr {
             0 => cells(),
             less => cells().count_sub(Expr::Count(less)),
         },
-        None => cells().count_add(piece.row - before),
+        None => cells().count_add(Expr::Count(piece.row - before)),
     }
 }
 

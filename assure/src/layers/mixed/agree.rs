@@ -97,9 +97,11 @@ fn status(word: &str) -> Result<i64> {
         Status::Saturated,
         Status::After,
         Status::Gated,
+        Status::Late,
         Status::Param,
         Status::Input,
         Status::Range,
+        Status::Soon,
     ];
     let found = all.into_iter().find(|status| status.name() == name);
     let found = found.ok_or_else(|| anyhow!("no status {word:?}")).context("a line of calls")?;

@@ -77,7 +77,7 @@ pub enum Expr {
     /// a - b of counts, 0 where b is greater.
     CountLeft(Box<Expr>, Box<Expr>),
     /// a + b of counts, below 2^32.
-    CountAdd(Box<Expr>, u32),
+    CountAdd(Box<Expr>, Box<Expr>),
     /// A count over a number, rounded down.
     CountOver(Box<Expr>, u32),
     /// An element of a constant table: its row, a count, and its column, from 0.
@@ -163,6 +163,7 @@ impl Expr {
     pub fn count_left(self, b: Self) -> Self {
         match (self, b) {
             (Self::Count(a), Self::Count(b)) => Self::Count(a.saturating_sub(b)),
+            (a, Self::Count(0)) => a,
             (a, b) => Self::CountLeft(Box::new(a), Box::new(b)),
         }
     }
@@ -177,10 +178,13 @@ impl Expr {
         }
     }
 
-    /// The sum of a count and a number, below 2^32.
+    /// The sum of two counts, below 2^32.
     #[must_use]
-    pub fn count_add(self, more: u32) -> Self {
-        if more == 0 { self } else { Self::CountAdd(Box::new(self), more) }
+    pub fn count_add(self, more: Self) -> Self {
+        match more {
+            Self::Count(0) => self,
+            more => Self::CountAdd(Box::new(self), Box::new(more)),
+        }
     }
 
     /// A count as a floating-point number.
@@ -222,7 +226,7 @@ impl Expr {
             Self::Quotient(a, b) => Self::Quotient(local(a), local(b)),
             Self::Pow(a, b) => Self::Pow(local(a), local(b)),
             Self::CountOver(a, divisor) => Self::CountOver(local(a), *divisor),
-            Self::CountAdd(a, more) => Self::CountAdd(local(a), *more),
+            Self::CountAdd(a, b) => Self::CountAdd(local(a), local(b)),
             Self::Tabulated(name, row, column) => {
                 Self::Tabulated(name.clone(), local(row), *column)
             }
@@ -249,7 +253,6 @@ impl Expr {
             Self::Neg(a)
             | Self::Real(a)
             | Self::CountOver(a, _)
-            | Self::CountAdd(a, _)
             | Self::Tabulated(_, a, _)
             | Self::Divisor(a)
             | Self::Call(_, a)
@@ -264,6 +267,7 @@ impl Expr {
             | Self::Quotient(a, b)
             | Self::Pow(a, b)
             | Self::CountSub(a, b)
+            | Self::CountAdd(a, b)
             | Self::CountLeft(a, b) => {
                 a.visit(visit);
                 b.visit(visit);

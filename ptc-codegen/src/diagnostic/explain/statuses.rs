@@ -2,7 +2,7 @@
 
 use super::Explanation;
 
-pub(super) static STATUSES: [Explanation; 8] = [
+pub(super) static STATUSES: [Explanation; 10] = [
     Explanation {
         code: "PTC_OK",
         means: "The law is active. u is that of the law, within its limits.",
@@ -39,6 +39,13 @@ pub(super) static STATUSES: [Explanation; 8] = [
         fix: "one is nothing to worry about: `check` bounds its cost; after `coast` of them in a row PTC_E_INPUT follows, and the sensor, the plant or `innovation_max` is wrong",
     },
     Explanation {
+        code: "PTC_LATE",
+        means: "A limit would have been exceeded before the deadline, so this step put the deadline off to the soonest one that keeps the limits. u is that of the law for it; `deadline` gives its tick.",
+        design: "",
+        example: "a step with `late = extend` of a stage that something held, or a deadline that was too soon from the start",
+        fix: "nothing is wrong, unless the time matters: then give more time, or a larger u_max",
+    },
+    Explanation {
         code: "PTC_E_PARAM",
         means: "A parameter is outside its domain. Or a coefficient that follows from the parameters overflows. `init` or `arm` changed nothing.",
         design: "",
@@ -58,5 +65,12 @@ pub(super) static STATUSES: [Explanation; 8] = [
         design: "",
         example: "a state of 1e300 at large gains, or g(x, t) = 0",
         fix: "keep the state within what the sensors can measure, and where g is not 0; `check` with `x_max` finds an overflow before the first run",
+    },
+    Explanation {
+        code: "PTC_E_SOON",
+        means: "With `arm_for` and `late = refuse`: within so few samples a limit could be exceeded, so nothing has changed. With `soonest`: no number of samples was found with which the limits are kept.",
+        design: "",
+        example: "`arm_for` with 10 samples where `soonest` gives 400, or a state beyond its `state_max`",
+        fix: "take the samples that `soonest` gives; where it gives none, the force to be overcome or a state is beyond its limit",
     },
 ];

@@ -72,8 +72,9 @@ pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
             text.count_left(&text.within(a, Level::Atom), &text.within(b, Level::Atom))
         }
         Expr::CountOver(a, by) => text.count_over(&text.within(a, Level::Atom), *by),
-        Expr::CountAdd(a, more) => {
-            (Level::Sum, format!("{} + {}", text.within(a, Level::Atom), text.count(*more)))
+        Expr::CountAdd(a, b) => {
+            let [a, b] = [a, b].map(|count| text.within(count, Level::Atom));
+            (Level::Sum, format!("{a} + {b}"))
         }
         Expr::Tabulated(name, row, column) => {
             (Level::Atom, text.tabulated(name, &text.alone(row), *column))

@@ -25,6 +25,8 @@ pub(in crate::emit) enum Gives {
     Array,
     /// A number.
     Number,
+    /// A count and its status.
+    Count,
     /// The inputs of several axes, and their statuses.
     Axes,
 }
@@ -40,6 +42,7 @@ impl Gives {
             None if ranges => Self::Progress,
             None => Self::Status,
             Some(Shape::Gains) => Self::Gains,
+            Some(Shape::Count) if !function.failures.is_empty() => Self::Count,
             Some(Shape::Reals(_)) if ranges && is("xi_dot") => Self::Rate,
             Some(Shape::Reals(_)) if ranges => Self::Values,
             Some(Shape::Reals(_)) => Self::Array,

@@ -193,7 +193,8 @@ impl Short {
             Expr::ParameterElement(name, _) => name.len() + 11,
             Expr::At(name, _) => name.len() + 12,
             Expr::Divisor(a) => 3 * self.width(a) + 27,
-            Expr::Neg(a) | Expr::CountOver(a, _) | Expr::CountAdd(a, _) => self.width(a) + 4,
+            Expr::Neg(a) | Expr::CountOver(a, _) => self.width(a) + 4,
+            Expr::CountAdd(a, b) => self.width(a) + self.width(b) + 3,
             Expr::Tabulated(name, row, _) => name.len() + self.width(row) + 10,
             Expr::Real(a) => self.width(a) + 8,
             Expr::Binary(operator, a, b) => {

@@ -9,7 +9,7 @@ use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Clock, DelayLaw, Promises, Spec};
 
 /// The keys of a law, and what stands for each with an observer.
-const OF_LAW: [(&str, &str); 12] = [
+const OF_LAW: [(&str, &str); 17] = [
     ("tau", "the estimates are exact from sample `observer_samples` on"),
     ("eps", "`observer_eps` holds the gains of an observer"),
     ("u_max", "the observer is given u as it was applied"),
@@ -20,6 +20,11 @@ const OF_LAW: [(&str, &str); 12] = [
     ("poles_end", "an observer ends in deadbeat or by `observer_eps`"),
     ("end_samples", "an observer ends in deadbeat or by `observer_eps`"),
     ("gain_bytes", "an observer has no gains of least energy"),
+    ("in_flight", "an observer alone has no deadline"),
+    ("late", "an observer alone has no deadline"),
+    ("pace", "an observer alone has no deadline"),
+    ("state_max", "an observer alone moves no state"),
+    ("reserve", "an observer alone has no limits"),
     ("error", "no check judges an observer alone"),
     ("reference", "an observer estimates the state itself"),
 ];
@@ -80,6 +85,7 @@ impl Reader<'_> {
         spec.fixed.retain(|parameter, _| matches!(parameter, Parameter::SampleTime | Parameter::A));
         if let Clock::Samples(sampled) = &mut spec.clock {
             (sampled.end, sampled.delay_law) = (None, DelayLaw::Extend);
+            sampled.flight = None;
         }
         spec.u_min = false;
         spec.poles.clear();

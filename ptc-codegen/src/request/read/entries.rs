@@ -74,7 +74,8 @@ impl<'a> Reader<'a> {
             // What moves the plant is no part of the controller, nor is what is verified: `plant::read`
             // and `verify::read` read them.
             (None, Some("plant" | "disturbance" | "verify")) => {}
-            (None, Some(table)) if table.starts_with("objective[") => {}
+            (None, Some(table))
+                if table.starts_with("objective[") || table.starts_with("event[") => {}
             (None, None) if all.iter().any(|other| uses(&other.value, name)) => {
                 let message =
                     format!("`{}` is a parameter, not a key of the design", shorten(name));

@@ -7,6 +7,7 @@ use std::ops::{Div, Mul};
 
 use num_traits::ToPrimitive;
 
+use super::flight::{LAST, ROUND};
 use crate::algebra::BigRational;
 use crate::code::{
     Access, Code, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Table, Test,
@@ -131,19 +132,35 @@ impl Builder<'_> {
             return functions;
         }
         let samples = self.samples();
-        let samples = match samples {
+        let asked = match samples {
             Expr::Count(_) => samples,
             given => self.keep_count("samples", "samples from the start to rest", given),
         };
-        let mut functions = vec![self.arm()];
-        functions.push(match self.designs {
+        let samples = match self.flight() {
+            None => asked.clone(),
+            Some(_) => {
+                let about = "samples from the start to rest, as planned now";
+                self.keep_count(LAST, about, asked.clone())
+            }
+        };
+        let step = match self.designs {
             [] => self.step(&start, &samples),
             _ => self.step_of_inputs(&start, &samples),
-        });
+        };
+        let mut functions = vec![self.arm(), step];
+        functions.extend(self.in_flight(&start));
         if self.sampled.observes() {
             functions.extend(self.estimates());
         }
         functions
+    }
+
+    /// N, in a call.
+    pub(super) fn asked(&self) -> Expr {
+        match self.samples() {
+            Expr::Count(count) => Expr::Count(count),
+            _ => Expr::field("samples"),
+        }
     }
 
     fn arm(&self) -> Function {
@@ -163,6 +180,12 @@ impl Builder<'_> {
             _ => "",
         };
         let mut body = vec![Statement::Set(Place::Field("start".to_owned()), Expr::local("k"))];
+        if self.flight().is_some() {
+            body.push(Statement::Set(Place::Field(LAST.to_owned()), self.asked()));
+        }
+        if self.fields.iter().any(|field| field.name == ROUND) {
+            body.push(Statement::Set(Place::Field(ROUND.to_owned()), self.end_of_round_asked()));
+        }
         body.extend(self.forget());
         let anew = match (self.coasts(), self.sampled.observes()) {
             (true, _) => {

@@ -1,6 +1,7 @@
 //! The function `step`: u from what is measured, and its status.
 
 use super::super::ends::Ending;
+use super::super::flight::{LAST, NOW, ROUND};
 use super::super::model::AtSample;
 use super::Builder;
 use crate::code::{
@@ -21,12 +22,11 @@ impl Builder<'_> {
         body.push(Self::elapsed(start));
         self.remember_inputs(1);
         if self.sampled.observes() {
-            let end = match self.sampled.observer_samples() {
-                Some(samples) => Expr::Count(samples),
-                // Half of the time for either: the controller has time to bring down what
-                // rounding leaves of the estimates.
-                None => samples.clone().count_over(2),
-            };
+            let end = self.end_of_round_asked();
+            if self.flight().is_some() && self.round().is_some() {
+                let about = "samples of the observer's round left at the start";
+                self.keep_count(ROUND, about, end.clone());
+            }
             body.extend(self.observe(&end));
         } else if let Some(model) = &mut model {
             body.push(Statement::Note("The chain of the output.".to_owned()));
@@ -37,6 +37,13 @@ impl Builder<'_> {
             body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
         body.extend(self.follow());
+        let samples = &match self.replans() {
+            true => {
+                body.extend(self.replan());
+                Expr::local(NOW)
+            }
+            false => samples.clone(),
+        };
         body.extend(self.law(samples));
         if let Some(model) = &mut model {
             let (before, v) = model.input(self);
@@ -44,7 +51,8 @@ impl Builder<'_> {
             body.push(Statement::Let("v".to_owned(), real, v));
         }
         let mut finish = self.finish(samples);
-        let (finite, changes) = (Test::Finite(Expr::local("v")), self.remembered() > 0);
+        let finite = Test::Finite(Expr::local("v"));
+        let changes = self.remembered() > 0 || self.replans();
         if changes {
             // A call that fails changes nothing, so it fails before the inputs are remembered.
             let finite = std::iter::once(finite).chain(self.finite_predictions());
@@ -61,6 +69,9 @@ impl Builder<'_> {
             finish = self.gated(vec![u.clone()], finish);
             body.extend(self.shift_inputs(&u));
             body.extend(self.shift_rates());
+            if self.replans() {
+                body.push(Statement::Set(Place::Field(LAST.to_owned()), samples.clone()));
+            }
             if self.sampled.observes() {
                 body.extend(self.keep_estimates());
             }
@@ -94,6 +105,16 @@ impl Builder<'_> {
         }
     }
 
+    /// The samples of the round of the observer, as they are asked for.
+    pub(in crate::samples) fn end_of_round_asked(&self) -> Expr {
+        match self.sampled.observer_samples() {
+            Some(samples) => Expr::Count(samples),
+            // Half of the time for either: the controller has time to bring down what
+            // rounding leaves of the estimates.
+            None => self.asked().count_over(2),
+        }
+    }
+
     /// Describes the measurement in words.
     pub(in crate::samples) fn given(&self) -> &'static str {
         match (self.sampled.measures_states(), &self.sampled.linear) {
@@ -111,7 +132,10 @@ impl Builder<'_> {
         let give = |value: &Expr, status| Finish::give(vec![value.clone()], status);
         let going = || Test::CountLess(Expr::local("elapsed"), samples.clone());
         let (limits, zero) = (self.limits(), self.spec.after == After::Zero);
-        let (tracks, held) = (give(&v, Status::Ok), give(&v, Status::Hold));
+        let (mut tracks, held) = (give(&v, Status::Ok), give(&v, Status::Hold));
+        if self.replans() {
+            tracks = Finish::choose(self.is_late(), give(&v, Status::Late), tracks);
+        }
         let mut finish = match self.hold() {
             Some(hold) => {
                 let hold = self.keep("hold", "samples to go at which the gains are held", hold);

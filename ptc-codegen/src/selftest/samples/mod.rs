@@ -100,6 +100,7 @@ impl SelfTest {
                     format!("held with each of {sets} sets of parameters that passed the tests before it")
                 }
                 ("init", true) => format!("held with none of {sets} sets of parameters"),
+                (name, _) if !CALLED.contains(&name) => format!("`{name}` is not called"),
                 (_, false) => format!("never false in {tried} calls"),
                 (_, true) => format!("never true in {tried} calls"),
             },
@@ -108,6 +109,9 @@ impl SelfTest {
         Ok(Self { sessions, refused, untaken: untaken.collect() })
     }
 }
+
+/// The functions that a self-test calls.
+const CALLED: [&str; 6] = ["init", "arm", "step", "update", "estimate", "disturbance"];
 
 /// A function in the code whose result is not that of IEEE 754.
 fn library_function(code: &Code) -> Option<&'static str> {

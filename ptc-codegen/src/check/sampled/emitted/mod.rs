@@ -67,7 +67,8 @@ pub(super) fn samples(
     let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
     let observer = sampled.observer.clone();
     let observer = observer.map(|own| Observer { gate: Gate::default(), ..own });
-    let sampled = &Sampled { follows: None, observer, ..sampled.clone() };
+    // The deadline is the one that `arm` sets.
+    let sampled = &Sampled { follows: None, observer, flight: None, ..sampled.clone() };
     let code = crate::samples::controller(spec, sampled, Vec::new());
     let kept: Vec<_> = kept(&code).collect();
     let acting = format!("u{}", chain.delay);

@@ -241,7 +241,7 @@ impl<'a> Sample<'a> {
             Expr::CountSub(a, b) => Some(self.count(a)?.wrapping_sub(self.count(b)?)),
             Expr::CountLeft(a, b) => Some(self.count(a)?.saturating_sub(self.count(b)?)),
             Expr::CountOver(a, by) => Some(self.count(a)? / by),
-            Expr::CountAdd(a, more) => self.count(a)?.checked_add(*more),
+            Expr::CountAdd(a, b) => self.count(a)?.checked_add(self.count(b)?),
             name => match self.held(name)? {
                 Held::Count(count) => Some(*count),
                 _ => None,

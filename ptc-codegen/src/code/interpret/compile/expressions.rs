@@ -66,10 +66,7 @@ impl<'c> Writer<'c> {
             Expr::CountSub(a, b) => Step::Count(Counting::Sub(self.slot(a), self.slot(b)), to),
             Expr::CountLeft(a, b) => self.left(value, [a, b], to),
             Expr::CountOver(a, by) => Step::Count(Counting::Over(self.slot(a), *by), to),
-            Expr::CountAdd(a, more) => {
-                let more = self.constant(f64::from(*more));
-                Step::Count(Counting::Add(self.slot(a), more), to)
-            }
+            Expr::CountAdd(a, b) => Step::Count(Counting::Add(self.slot(a), self.slot(b)), to),
             Expr::Tabulated(name, row, column) => {
                 let address = self.cell(name, row, *column);
                 Step::Load(Box::new(address), to)

@@ -125,7 +125,10 @@ impl Block for Rust<'_> {
     }
 
     fn begin(&self, name: &str, _: Shape, value: &str) -> String {
-        format!("let mut {name} = {value};")
+        // A method of a count has to know its type.
+        let is_literal = value.bytes().all(|byte| byte.is_ascii_digit());
+        let kind = if is_literal { "_u32" } else { "" };
+        format!("let mut {name} = {value}{kind};")
     }
 }
 
@@ -155,7 +158,9 @@ impl Ends for Rust<'_> {
                 let line = self.array_text(before, &list, behind);
                 self.out.line(line);
             }
-            Gives::Value => self.out.line(format!("Ok({})", list.join(", "))),
+            Gives::Value | Gives::Count => {
+                self.out.line(format!("Ok({})", list.join(", ")));
+            }
             Gives::Number => self.out.line(list.join(", ")),
             Gives::Axes => fault("several inputs are the whole of a function"),
         }

@@ -168,9 +168,13 @@ impl Rust<'_> {
             self.out.words("/// ", &doc(&format!("`{}`: {}", callback.name, callback.about)));
         }
         if result.contains("Error") {
+            let counts = function.arguments.iter().any(|own| own.name == "samples");
             let errors = function.failures.iter().map(|status| match status {
+                Status::Soon => "`Soon`: a limit could be exceeded with so few samples, or with any.",
+                Status::Param if counts => "`Param`: the number of samples is out of its range.",
                 Status::Param => "`Param`: an argument or what follows from it is not finite; nothing has changed.",
                 Status::Input => "`Input`: an argument is not finite or out of its domain.",
+                _ if self.gives == Gives::Count => "`Range`: a state is too large to compute with.",
                 _ if self.gives == Gives::Progress => "`Range`: an estimate is not finite. Nothing has changed.",
                 _ if matches!(self.gives, Gives::Value | Gives::Values) => "`Range`: what is given is not finite.",
                 _ => "`Range`: u is not finite.",
@@ -181,7 +185,7 @@ impl Rust<'_> {
             self.out.words("/// ", &errors);
         }
         self.out.line("#[inline]");
-        self.signature(function.name, &list, &result);
+        self.signature(&method(function.name), &list, &result);
         if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
             self.inputs(function, count);
             return self.out.close("}");
@@ -303,4 +307,9 @@ const ALLOWED: &str = "\
 /// Text as rustdoc, which takes brackets for links.
 fn doc(text: &str) -> String {
     text.replace('[', "\\[").replace(']', "\\]")
+}
+
+/// The name of a method: `move` is a word of the language.
+fn method(name: &str) -> String {
+    if name == "move" { format!("r#{name}") } else { name.to_owned() }
 }

@@ -44,7 +44,7 @@ impl Text for Rust<'_> {
     }
 
     fn count_left(&self, a: &str, b: &str) -> (Level, String) {
-        (Level::Atom, format!("{}.saturating_sub({b})", typed(a)))
+        (Level::Atom, format!("{}.saturating_sub({})", typed(a), bare(b.to_owned())))
     }
 
     fn table(&self, name: &str) -> String {

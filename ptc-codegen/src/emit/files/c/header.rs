@@ -2,9 +2,9 @@
 
 use super::super::gives::Gives;
 use super::super::text::capital;
-use super::C;
 use super::guard::once;
-use crate::code::{Finish, Function, Shape, Variable};
+use super::{C, word};
+use crate::code::{Finish, Function, Shape, Status, Variable};
 
 impl C<'_> {
     pub(super) fn header(mut self) -> String {
@@ -59,7 +59,7 @@ impl C<'_> {
             [] if Gives::of(function) == Gives::Progress => {
                 " On a negative status nothing has changed.".to_owned()
             }
-            [] => " PTC_OK, or PTC_E_PARAM with *self untouched.".to_owned(),
+            [] => format!(" PTC_OK, or {} with *self untouched.", words(&function.failures)),
             [result] => match result.shape {
                 Shape::Real => " On a negative status u is 0 and nothing has changed.".to_owned(),
                 Shape::Gains => " On a negative status *gains is unchanged.".to_owned(),
@@ -124,6 +124,12 @@ impl C<'_> {
         self.out.words(" * ", text);
         self.out.line(" */");
     }
+}
+
+/// Statuses by their words.
+fn words(statuses: &[Status]) -> String {
+    let all: Vec<_> = statuses.iter().map(|status| word(*status)).collect();
+    all.join(" or ")
 }
 
 /// Returns the memory of a call that must not overlap: results are set before the arguments are read.

@@ -239,8 +239,10 @@ pub(in crate::emit) fn word(status: Status) -> &'static str {
         Status::Saturated => "PTC_SATURATED",
         Status::After => "PTC_AFTER",
         Status::Gated => "PTC_GATED",
+        Status::Late => "PTC_LATE",
         Status::Param => "PTC_E_PARAM",
         Status::Input => "PTC_E_INPUT",
         Status::Range => "PTC_E_RANGE",
+        Status::Soon => "PTC_E_SOON",
     }
 }

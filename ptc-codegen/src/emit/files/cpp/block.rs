@@ -8,7 +8,7 @@ use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test};
 use crate::internal::fault;
 
 /// The type of indices.
-const INDEX: &str = "std::size_t";
+const INDEX: &str = "std::uint32_t";
 
 impl Block for Cpp<'_> {
     fn as_block(&mut self) -> &mut dyn Block {
@@ -79,8 +79,7 @@ impl Block for Cpp<'_> {
     }
 
     fn begin(&self, name: &str, shape: Shape, value: &str) -> String {
-        let kind = if shape == Shape::Count { INDEX } else { self.real_type() };
-        format!("{kind} {name} = {value};")
+        format!("{} {name} = {value};", self.type_of(shape))
     }
 }
 
@@ -99,7 +98,9 @@ impl Ends for Cpp<'_> {
         self.out.line(match self.gives {
             Gives::Nothing => return,
             Gives::Status | Gives::Progress => format!("return {status};"),
-            Gives::Control | Gives::Value => format!("return {{{values}, {status}}};"),
+            Gives::Control | Gives::Value | Gives::Count => {
+                format!("return {{{values}, {status}}};")
+            }
             Gives::Rate | Gives::Values => format!("return {{{{{{{values}}}}}, {status}}};"),
             Gives::Gains => format!("gains.status = {status};"),
             Gives::Array => format!("return {{{{{values}}}}};"),
@@ -113,6 +114,7 @@ impl Ends for Cpp<'_> {
         self.out.line(match self.gives {
             Gives::Control | Gives::Value => format!("return {{{zero}, {word}}};"),
             Gives::Rate | Gives::Values => format!("return {{{{}}, {word}}};"),
+            Gives::Count => format!("return {{0, {word}}};"),
             Gives::Gains => "return {};".to_owned(),
             Gives::Axes => {
                 let each = vec![word.as_str(); self.code.axes().unwrap_or_default()].join(", ");

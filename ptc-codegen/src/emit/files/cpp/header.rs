@@ -42,7 +42,8 @@ impl Cpp<'_> {
         self.out.line(format!("\n{}", assumptions(code.precision)));
         self.out.line("\nnamespace ptc {\n");
         self.out.line(include_str!("../../../../templates/status.hpp.txt"));
-        if self.code.function("rate").is_some() {
+        let of_value = ["rate", "soonest"];
+        if of_value.iter().any(|name| self.code.function(name).is_some()) {
             self.out.line(include_str!("../../../../templates/value.hpp.txt"));
         }
         if code.axes().is_some() {

@@ -66,7 +66,7 @@ impl<'a> Cpp<'a> {
             Gives::Status | Gives::Progress => "Status".to_owned(),
             Gives::Control => format!("Control<{real}>"),
             Gives::Rate => format!("Rate<{}>", given()),
-            Gives::Value | Gives::Values => format!("Value<{}>", given()),
+            Gives::Value | Gives::Values | Gives::Count => format!("Value<{}>", given()),
             Gives::Gains | Gives::Array | Gives::Number => given(),
             Gives::Axes => {
                 let Some(axes) = self.code.axes() else { fault("axes of a controller of one") };
@@ -109,6 +109,7 @@ impl<'a> Cpp<'a> {
                 | Gives::Rate
                 | Gives::Value
                 | Gives::Values
+                | Gives::Count
                 | Gives::Gains
                 | Gives::Nothing
                 | Gives::Axes

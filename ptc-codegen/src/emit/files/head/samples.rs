@@ -1,7 +1,7 @@
 //! The head of the files of a controller in samples.
 
 use super::time::version;
-use super::{Language, axes, coupled, end, followed, observed, plant, precision, time};
+use super::{Language, axes, coupled, end, flight, followed, observed, plant, precision, time};
 use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
@@ -217,6 +217,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
         lines.push(estimates(observer));
     }
     lines.extend(sampled.observer.iter().flat_map(gate));
+    lines.extend(flight::lines(spec, sampled));
     lines.push(time::limits_of_u(spec, "Clipping voids the deadline where it lasts."));
     let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
     let given = match (spec.references(), coasts) {

@@ -211,6 +211,7 @@ impl<'a> Matlab<'a> {
                 | Gives::Rate
                 | Gives::Value
                 | Gives::Values
+                | Gives::Count
                 | Gives::Gains
                 | Gives::Progress
                 | Gives::Axes

@@ -104,7 +104,7 @@ impl Ends for Matlab<'_> {
         match self.gives {
             Gives::Nothing | Gives::Status => return,
             Gives::Progress => {}
-            Gives::Control | Gives::Value | Gives::Number => {
+            Gives::Control | Gives::Value | Gives::Number | Gives::Count => {
                 self.out.line(format!("{result} = {};", list.join("; ")));
             }
             Gives::Rate | Gives::Values | Gives::Array => {

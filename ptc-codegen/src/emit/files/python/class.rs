@@ -76,6 +76,10 @@ impl Python<'_> {
 
     fn function(&mut self, function: &Function) {
         self.gives = Gives::of(function);
+        let of_count = function.results.first().is_some_and(|own| own.shape == Shape::Count);
+        if of_count {
+            self.gives = Gives::Count;
+        }
         let real = self.real_type();
         let result = match self.gives {
             Gives::Nothing | Gives::Status => "None".to_owned(),
@@ -83,6 +87,7 @@ impl Python<'_> {
             Gives::Progress => "Status".to_owned(),
             Gives::Array => "Array".to_owned(),
             Gives::Number => format!("np.{real}"),
+            Gives::Count => "int".to_owned(),
             Gives::Axes => "Axes".to_owned(),
             Gives::Rate | Gives::Value | Gives::Values | Gives::Gains => {
                 crate::internal::fault("one of a batch")
@@ -108,6 +113,7 @@ impl Python<'_> {
             self.out.words("", &format!("\"\"\"{}", function.about));
             self.out.line(match self.gives {
                 Gives::Status => "\nValueError where an argument or what follows from it is not finite; the controller\nis left as it was.",
+                Gives::Count => "\nValueError where an argument is not finite, or where there is none.",
                 Gives::Progress => "\nOn a negative status nothing has changed.",
                 _ => "\nOn a negative status u is 0 and nothing has changed.",
             });

@@ -272,6 +272,14 @@ fn annotation(shape: Shape) -> &'static str {
     }
 }
 
+/// The message of the error that stands for a status in a function that gives a number.
+fn refusal(status: Status) -> &'static str {
+    match status {
+        Status::Soon => "no number of samples was found that keeps the limits",
+        _ => "an argument, or what follows from it, is not finite",
+    }
+}
+
 fn word(status: Status) -> String {
     status.name().to_uppercase()
 }

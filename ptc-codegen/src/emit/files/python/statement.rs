@@ -4,7 +4,7 @@ use super::super::block::{Around, Block, Branch, Ends, either, refused};
 use super::super::gives::Gives;
 use super::super::legal::checks;
 use super::super::text::{Lines, Text};
-use super::{Python, boxed, word};
+use super::{Python, boxed, refusal, word};
 use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test};
 
 impl Block for Python<'_> {
@@ -165,6 +165,7 @@ impl Ends for Python<'_> {
             | Gives::Value
             | Gives::Values
             | Gives::Axes => return,
+            Gives::Count => format!("return int({list})"),
             Gives::Control => format!("return Control({list}, {status})"),
             Gives::Progress => format!("return {status}"),
             Gives::Array => format!("return np.array([{list}], dtype=_R)"),
@@ -176,6 +177,7 @@ impl Ends for Python<'_> {
         let word = word(status);
         self.out.line(match self.gives {
             Gives::Progress => format!("return Status.{word}"),
+            Gives::Count => format!("raise ValueError(\"{}\")", refusal(status)),
             Gives::Axes => format!("return {}", self.refused_inputs(status)),
             _ => format!("return Control(_R(0.0), Status.{word})"),
         });

@@ -6,7 +6,7 @@ use crate::parameter::Parameter;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 19] = [
+const OWN: [&str; 24] = [
     "A",
     "B",
     "C",
@@ -26,6 +26,11 @@ const OWN: [&str; 19] = [
     "coast",
     "observer",
     "disturbance_walk",
+    "in_flight",
+    "late",
+    "pace",
+    "state_max",
+    "reserve",
 ];
 
 impl Reader<'_> {

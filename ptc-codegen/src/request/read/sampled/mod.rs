@@ -2,6 +2,7 @@
 
 mod end;
 mod exponent;
+mod flight;
 mod following;
 mod gate;
 mod meaning;
@@ -96,6 +97,7 @@ impl Reader<'_> {
             end: self.end_law(spec, delay, a.as_ref().zip(exponents.as_ref())),
             exponents,
             observer: None,
+            flight: self.flight(spec),
             leaves_delay_law: !self.keys.contains_key("delay_law"),
             leaves_eps: !self.keys.contains_key("eps"),
         };
@@ -114,6 +116,7 @@ impl Reader<'_> {
         if let Some(gate) = sampled.observes().then(|| self.gate(spec, &sampled)) {
             sampled.observer.iter_mut().for_each(|observer| observer.gate = gate.clone());
         }
+        self.plans(spec, &sampled);
         let least = sampled.least_samples(spec.highest_order());
         let samples = spec.fixed.get(&Parameter::Samples).and_then(Fixed::number);
         let samples = samples.filter(|_| spec.what != What::Observer);

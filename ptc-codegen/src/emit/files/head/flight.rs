@@ -1,0 +1,49 @@
+//! The head's lines about a deadline that changes in flight.
+
+use num_traits::Zero;
+
+use crate::request::{Flight, Late, Sampled, Spec};
+use crate::syntax::constant;
+
+/// Describes what may change in flight, and the theorem from which deadlines are planned.
+pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
+    let Some(flight) = &sampled.flight else { return Vec::new() };
+    let mut lines = vec![
+        "In flight: arm_for sets another deadline at any tick; rest is exact from any state, so all else stays as it is."
+            .to_owned(),
+    ];
+    if spec.reference.is_some() || sampled.horizon(spec).is_none() {
+        return lines;
+    }
+    lines.push(format!(
+        "Plan: on the way to rest u and the states are sums of falling powers of the samples to go, so their Bernstein coefficients, linear in z, bound them. If these are within the limits, u{} stay there at every sample to rest, where plant and state are as they are known.",
+        states(flight)
+    ));
+    lines.extend(match flight.late {
+        Late::Clip => None,
+        Late::Refuse => Some("late refuse: arm_for refuses a deadline without such a plan (status E_SOON).".to_owned()),
+        Late::Extend => Some(format!(
+            "late extend: a step without such a plan raises N to the soonest that has one (status LATE; deadline gives its tick){}. Where there is none, or 2^31 samples after the start, N stays, and u is clipped.",
+            if flight.soonest { ", and others lower N, by at most a sixteenth of the samples to go" } else { "" }
+        )),
+    });
+    if !flight.reserve.is_zero() {
+        lines.push(format!(
+            "reserve: a new deadline leaves {} of each limit free.",
+            constant::text(&flight.reserve)
+        ));
+    }
+    lines
+}
+
+/// The bounds of the states, behind `u`.
+fn states(flight: &Flight) -> String {
+    let bound = |(i, own): (usize, &crate::parameter::Fixed)| {
+        own.number().map(|_| format!("|x{}| <= {own}", i + 1))
+    };
+    let all: Vec<_> = flight.state_max.iter().enumerate().filter_map(bound).collect();
+    match all.as_slice() {
+        [] => String::new(),
+        all => format!(" and {}", all.join(" and ")),
+    }
+}

@@ -1,0 +1,121 @@
+//! What may change while a controller in samples runs, and its answer to a deadline that limits do not allow.
+
+use num_traits::{ToPrimitive, Zero};
+
+use super::{Sampled, Spec};
+use crate::algebra::{BigRational, integer};
+use crate::linear::{Horizon, Plan};
+use crate::parameter::{Fixed, Parameter, Precision};
+
+/// A controller whose deadline may change while it runs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Flight {
+    /// Its answer to a deadline that is too soon.
+    pub late: Late,
+    /// True if each sample plans the soonest deadline; otherwise the deadline is never moved forward.
+    pub soonest: bool,
+    /// Bounds of abs(x_i), infinite where a state has none; empty without.
+    pub state_max: Vec<Fixed>,
+    /// Part of each limit that plans leave free.
+    pub reserve: BigRational,
+}
+
+/// The answer to a deadline that is too soon for the limits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Late {
+    /// u is clipped.
+    Clip,
+    /// The deadline is put off to the soonest one.
+    Extend,
+    /// `arm_for` refuses it.
+    Refuse,
+}
+
+impl Late {
+    /// Returns its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Clip => "clip",
+            Self::Extend => "extend",
+            Self::Refuse => "refuse",
+        }
+    }
+}
+
+impl Flight {
+    /// Returns true if a step may put its deadline off.
+    pub fn replans(&self) -> bool {
+        self.late == Late::Extend
+    }
+
+    /// The bound of state `i`, from 0, where it has one.
+    pub(crate) fn state_max(&self, i: usize) -> Option<&BigRational> {
+        self.state_max.get(i).and_then(Fixed::number)
+    }
+}
+
+impl Sampled {
+    /// Returns the bounds from which a deadline is known to keep the limits; `None` where there is no such plan of this
+    /// law.
+    pub(crate) fn horizon(&self, spec: &Spec) -> Option<Horizon> {
+        let state_max = |i| self.flight.as_ref().and_then(|own| own.state_max(i));
+        let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+        let exponents = self.exponents.as_ref().filter(|own| own.consecutive)?;
+        let h = number(Parameter::SampleTime)?;
+        let planned = self.planned(spec.n, Some(h))?;
+        let (s, drift) = planned.pair.flat()?;
+        let order = u32::try_from(drift.len()).ok()?;
+        let least = exponents.least.to_integer().to_u32().filter(|least| *least >= order)?;
+        let back = s.inverse()?;
+        let limited = (0..spec.n).filter(|i| state_max(*i).is_some());
+        let states = limited.map(|i| {
+            let unit = power(h, planned.pair.powers[i]);
+            (i, back.rows()[i].iter().map(|own| own * &unit).collect())
+        });
+        Horizon::new(&Plan {
+            drift: &drift,
+            least,
+            end: self.end.map(|end| (end.samples, order + end.law.weight)),
+            held: number(Parameter::Eps)? / h,
+            states: states.collect(),
+        })
+    }
+
+    /// The flat coordinates of each unit state, and of each unit input under way.
+    pub(crate) fn unit_coordinates(&self, spec: &Spec) -> Option<Vec<Vec<f64>>> {
+        let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number)?;
+        let planned = self.planned(spec.n, Some(h))?;
+        let (s, _) = planned.pair.flat()?;
+        let s = s.times(&planned.reach);
+        let column = |j: usize| {
+            let unit = power(h, -planned.powers[j]);
+            s.rows().iter().map(|row| (&row[j] * &unit).to_f64()).collect()
+        };
+        (0..planned.powers.len()).map(column).collect()
+    }
+
+    /// Most samples to a deadline that is planned: beyond, numbers leave the range of the precision.
+    pub(crate) fn longest(&self, horizon: &Horizon, precision: Precision) -> u32 {
+        const MOST: u32 = 1 << 30;
+        let exponents = horizon.stretches.iter().map(|stretch| {
+            let course = &stretch.course;
+            course.exponent(course.order() - 1)
+        });
+        let exponent = exponents.max().unwrap_or(1);
+        let digits = match precision {
+            Precision::F64 => 290.0,
+            Precision::F32 => 30.0,
+        };
+        let samples = 10f64.powf(digits / f64::from(exponent));
+        // Single precision holds whole numbers to 2^24.
+        let exact = if precision == Precision::F32 { 1 << 24 } else { MOST };
+        if samples < f64::from(exact) { samples.floor().to_u32().unwrap_or(exact) } else { exact }
+    }
+}
+
+/// h to a power of either sign.
+fn power(h: &BigRational, power: i64) -> BigRational {
+    let size = usize::try_from(power.unsigned_abs()).unwrap_or(0);
+    let own = num_traits::pow(h.clone(), size);
+    if power < 0 && !own.is_zero() { integer(1) / own } else { own }
+}

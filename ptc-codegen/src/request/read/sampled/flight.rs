@@ -1,0 +1,149 @@
+//! The keys of a deadline that may change.
+
+use num_traits::{One, Signed, ToPrimitive, Zero};
+
+use crate::algebra::BigRational;
+use crate::expression::constant::real;
+use crate::parameter::{Fixed, Parameter};
+use crate::request::read::{Reader, shown};
+use crate::request::{Flight, Late, Reference, Sampled, Spec, What};
+use crate::syntax::Node;
+
+/// Roundings over a limit at which a plan is worth nothing.
+const MOST_SLACK: f64 = 0.01;
+
+impl Reader<'_> {
+    /// What may change while the controller runs, where anything may.
+    pub(super) fn flight(&mut self, spec: &Spec) -> Option<Flight> {
+        let given = |key: &&str| self.keys.contains_key(*key);
+        let key = ["late", "pace", "in_flight"].into_iter().find(given);
+        let alone = ["state_max", "reserve"].into_iter().find(given);
+        let in_flight = self.choice("in_flight", &[("true", true), ("false", false)]);
+        let laws = [Late::Clip, Late::Extend, Late::Refuse].map(|late| (late.name(), late));
+        let late = self.choice("late", &laws);
+        let pace = self.choice("pace", &[("deadline", false), ("soonest", true)]);
+        let soonest = pace == Some(true);
+        if soonest && late.is_some_and(|late| late != Late::Extend) {
+            let place = self.keys.get("pace").map(|node| node.place);
+            let message = "`pace` = soonest beside another `late` than extend".to_owned();
+            let help = "a deadline that each sample plans anew is put off too: leave `late` out";
+            self.wrong("pace", place, message, help.to_owned());
+        }
+        let late = late.unwrap_or(if soonest { Late::Extend } else { Late::Clip });
+        if in_flight != Some(true) && late == Late::Clip {
+            if let Some(key) = alone {
+                let place = self.keys.get(key).map(|node| node.place);
+                let message = format!("`{key}` without a deadline that is planned");
+                let help = "give `late` = extend or refuse beside it, or `in_flight` = true, which gives the function `soonest`";
+                self.wrong(key, place, message, help.to_owned());
+            }
+            return None;
+        }
+        let key = key.unwrap_or("in_flight");
+        if spec.what == What::Observer {
+            return None;
+        }
+        let several = spec.model.is_some() || spec.coupled.is_some() || spec.axes.is_some();
+        if several {
+            let place = self.keys.get(key).map(|node| node.place);
+            let message = format!("`{key}` beside a model, several inputs or axes");
+            let help = "deadlines change for one chain, or one plant A, B: leave it out, or make a controller for each axis";
+            self.wrong(key, place, message, help.to_owned());
+        }
+        if let Some(Reference::Known(_)) = spec.reference {
+            let place = self.keys.get(key).map(|node| node.place);
+            let message = format!("`{key}` beside a reference in t, which counts from the start");
+            let help = "give each call the reference: reference = input".to_owned();
+            self.wrong(key, place, message, help);
+        }
+        let state_max = self.state_max(spec.n);
+        let reserve = self.reserve();
+        Some(Flight { late, soonest, state_max, reserve })
+    }
+
+    /// Refuses a plan of deadlines where the law has none.
+    pub(super) fn plans(&mut self, spec: &Spec, sampled: &Sampled) {
+        let Some(flight) = &sampled.flight else { return };
+        let keys = ["late", "pace", "state_max", "reserve"];
+        let key = keys.into_iter().find(|key| self.keys.contains_key(key));
+        let key = key.filter(|key| *key != "late" || flight.late != Late::Clip);
+        let (Some(key), true) = (key, self.found.is_empty()) else { return };
+        if let Some((message, help)) = unplanned(spec, sampled, flight) {
+            let place = self.keys.get(key).map(|node| node.place);
+            self.wrong(key, place, format!("`{key}` {message}"), help.to_owned());
+        }
+    }
+
+    /// Bounds of the states; on failure, records a diagnostic.
+    fn state_max(&mut self, n: usize) -> Vec<Fixed> {
+        let legal = |node: &Node| {
+            let value = real(node)?;
+            let positive = value.number().is_none_or(BigRational::is_positive);
+            (positive && value != Fixed::MinusInfinite).then_some(value)
+        };
+        let all = self.one_or_each("state_max", Some(n), legal, "> 0, or inf");
+        match all.as_slice() {
+            [one] if n > 1 => vec![one.clone(); n],
+            _ => all,
+        }
+    }
+
+    /// The part of each limit that plans leave free; on failure, records a diagnostic.
+    fn reserve(&mut self) -> BigRational {
+        let Some(node) = self.keys.get("reserve").copied() else { return BigRational::zero() };
+        let value = real(node).as_ref().and_then(Fixed::number).cloned();
+        let legal = value.filter(|part| !part.is_negative() && *part < BigRational::one());
+        if legal.is_none() {
+            let message = format!("reserve = {} is not a part of the limits", shown(&node.value));
+            let help = "give a number from 0 up to, and not including, 1".to_owned();
+            self.wrong("reserve", Some(node.place), message, help);
+        }
+        legal.unwrap_or_default()
+    }
+}
+
+/// Why no deadline is planned, and the likely fix.
+fn unplanned(
+    spec: &Spec,
+    sampled: &Sampled,
+    flight: &Flight,
+) -> Option<(&'static str, &'static str)> {
+    let is_open = |p: Parameter| !spec.fixed.contains_key(&p);
+    if sampled.linear.is_some() {
+        return Some((
+            "beside A and B: deadlines of such plants are not planned",
+            "`in_flight` = true lets their deadline change, without a plan",
+        ));
+    }
+    if spec.reference.is_some() {
+        return Some((
+            "beside a reference: the u that it will need is not known",
+            "`in_flight` = true lets the deadline change, without a plan",
+        ));
+    }
+    if is_open(Parameter::SampleTime) || is_open(Parameter::Eps) {
+        return Some((
+            "with a sample_time or an eps that is left to run time",
+            "give `sample_time` and `eps` numbers: the bounds of u are made when the code is generated",
+        ));
+    }
+    let unlimited = spec.fixed.get(&Parameter::UMax) == Some(&Fixed::Infinite)
+        && spec.fixed.get(&Parameter::UMin).is_none_or(|least| *least == Fixed::MinusInfinite);
+    if unlimited && (0..spec.n).all(|i| flight.state_max(i).is_none()) {
+        return Some(("without a limit", "give `u_max`, or `state_max` of a state"));
+    }
+    let Some(horizon) = sampled.horizon(spec) else {
+        return Some((
+            "beside a law whose u has no closed form to its end",
+            "take poles = \"least-energy\", or poles that are consecutive multiples of -a from the order of the loop on, and a shorter eps",
+        ));
+    };
+    let rounding = horizon.slack * spec.precision.epsilon();
+    if !rounding.to_f64().is_some_and(|rounding| rounding < MOST_SLACK) {
+        return Some((
+            "at this order and precision: rounding takes more than 1 % of the limits",
+            "take precision = f64, or a lower order or weight",
+        ));
+    }
+    None
+}

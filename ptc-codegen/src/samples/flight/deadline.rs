@@ -1,0 +1,181 @@
+//! The functions of the deadline: `arm_for`, `soonest` and `deadline`.
+
+use super::super::controller::Builder;
+use super::bounds::{FITS, TRIED};
+use super::search::{KEPT, Search};
+use super::{LAST, ROUND};
+use crate::code::{
+    Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
+};
+use crate::internal::fault;
+use crate::request::Late;
+
+/// Most samples to a deadline.
+const MOST: u32 = 1 << 31;
+
+impl Builder<'_> {
+    /// `arm_for`: another deadline from now on.
+    pub(super) fn arm_for(&mut self, start: &Expr) -> Function {
+        let refuses = self.flight().is_some_and(|flight| flight.late == Late::Refuse);
+        let samples = || Expr::local("samples");
+        let least = self.least_deadline();
+        let most = self.spec.schedule().map_or(MOST, |_| self.most_gains());
+        let legal = vec![
+            Test::CountLess(Expr::Count(least - 1), samples()),
+            Test::CountLess(samples(), Expr::Count(most.saturating_add(1))),
+        ];
+        let mut body = vec![Statement::Require(Test::All(legal), Status::Param)];
+        let mut arguments = vec![
+            Variable::new("k", Shape::Count, "tick"),
+            Variable::new("samples", Shape::Count, "samples from tick `k` to rest"),
+        ];
+        let mut failures = vec![Status::Param];
+        let mut told = String::new();
+        if refuses {
+            let (given, statements) = self.state_of_now();
+            arguments.extend(given);
+            body.extend(statements);
+            body.extend(self.required_plan());
+            failures.extend([Status::Input, Status::Soon]);
+            " Where a limit could be exceeded before, it is refused (E_SOON)."
+                .clone_into(&mut told);
+        }
+        let keeps_round = self.fields.iter().any(|field| field.name == ROUND);
+        let set = |name: &str, value| Statement::Set(Place::Field(name.to_owned()), value);
+        if keeps_round {
+            body.push(Self::elapsed(start));
+            let left = Expr::field(ROUND).count_left(Expr::local("elapsed"));
+            body.push(set(ROUND, left));
+        }
+        body.push(set("start", Expr::local("k")));
+        body.push(set(LAST, samples()));
+        let kept = match self.remembered() > 0 {
+            true => " Estimates and inputs under way are kept.",
+            false => "",
+        };
+        Function {
+            name: "arm_for",
+            about: format!(
+                "Another deadline, at any tick before the call of `step` at it: rest at tick `k` + `samples`, {} to {most} samples.{kept}{told}",
+                least
+            ),
+            owner: Owner::Controller,
+            access: Access::Change,
+            arguments,
+            callbacks: Vec::new(),
+            results: Vec::new(),
+            failures,
+            body,
+            finish: Finish::done(),
+            guarded: self.guarded(),
+        }
+    }
+
+    /// The fewest samples to a deadline in flight: those in which the law can bring the loop to rest.
+    fn least_deadline(&self) -> u32 {
+        let order = u32::try_from(self.spec.loop_order()).unwrap_or(u32::MAX);
+        order.saturating_add(self.spare())
+    }
+
+    /// The samples for which a table has gains.
+    fn most_gains(&self) -> u32 {
+        match self.asked() {
+            Expr::Count(count) => count,
+            _ => fault("a table of gains for an open deadline"),
+        }
+    }
+
+    /// Statements that refuse a deadline of `samples` which might exceed a limit.
+    fn required_plan(&mut self) -> Vec<Statement> {
+        let Some(horizon) = self.horizon() else { fault("a deadline without a plan") };
+        let spare = self.spare();
+        let (mut body, flat) = self.coordinates();
+        let [_, part] = self.parts(&horizon);
+        let (limits_set, limits) = self.plan_limits(&horizon, &part, false);
+        body.extend(limits_set);
+        let tried = Expr::local("samples").count_left(Expr::Count(spare));
+        body.push(Statement::Let(TRIED.to_owned(), Shape::Count, tried));
+        body.extend(self.fits(&horizon, &flat, &limits, false));
+        let longest = self.sampled.longest(&horizon, self.spec.precision);
+        let tests = vec![
+            Test::CountLess(Expr::Count(horizon.rest()), Expr::local(TRIED)),
+            Test::CountLess(Expr::local(TRIED), Expr::Count(longest + 1)),
+            Test::CountEqual(Expr::local(FITS), Expr::Count(1)),
+        ];
+        body.push(Statement::Require(Test::All(tests), Status::Soon));
+        body
+    }
+
+    /// `soonest`, where deadlines can be planned.
+    pub(super) fn soonest(&mut self) -> Option<Function> {
+        let horizon = self.horizon()?;
+        if !self.has_limits() {
+            return None;
+        }
+        let (arguments, mut body) = self.state_of_now();
+        let (coordinates, flat) = self.coordinates();
+        body.extend(coordinates);
+        let search = Search {
+            first: Expr::Count(horizon.rest() + 1),
+            below: Expr::Count(horizon.rest()),
+            held: false,
+            keeps_first: false,
+        };
+        body.extend(self.search(&horizon, &flat, search));
+        let finite = flat.into_iter().map(Test::Finite).collect();
+        let samples = Expr::local(KEPT).count_add(Expr::Count(self.spare()));
+        let found = Test::CountLess(Expr::Count(0), Expr::local(KEPT));
+        let soon = Finish::choose(
+            found,
+            Finish::give(vec![samples], Status::Ok),
+            Finish::Fail(Status::Soon),
+        );
+        let from = match self.sampled.observes() {
+            true => "the estimates as they are predicted for the next tick",
+            false => "the state x",
+        };
+        Some(Function {
+            name: "soonest",
+            about: format!(
+                "The fewest samples found, from the next call of `step` on, with which the law keeps u and the states within their limits at every sample to rest, from {from}, for sure. Give them to `arm_for`."
+            ),
+            owner: Owner::Controller,
+            access: Access::Read,
+            arguments: arguments.into_iter().collect(),
+            callbacks: Vec::new(),
+            results: vec![Variable::new("samples", Shape::Count, "samples to rest")],
+            failures: vec![Status::Input, Status::Range, Status::Soon],
+            body,
+            finish: Finish::choose(Test::All(finite), soon, Finish::Fail(Status::Range)),
+            guarded: self.guarded(),
+        })
+    }
+
+    /// Returns true if u or a state has a limit.
+    fn has_limits(&mut self) -> bool {
+        let bounds = self.limits();
+        let flight = self.flight();
+        let of_state =
+            (0..self.spec.n).any(|i| flight.is_some_and(|own| own.state_max(i).is_some()));
+        bounds.least.is_some() || bounds.most.is_some() || of_state
+    }
+
+    /// `deadline`: the tick at which the loop is to be at rest.
+    pub(super) fn deadline(&self, start: &Expr) -> Function {
+        // The sum wraps as ticks do.
+        let back = Expr::Count(0).count_sub(Expr::field(LAST));
+        Function {
+            name: "deadline",
+            about: "The tick at which the loop is to be at rest.".to_owned(),
+            owner: Owner::Controller,
+            access: Access::Read,
+            arguments: Vec::new(),
+            callbacks: Vec::new(),
+            results: vec![Variable::new("k", Shape::Count, "tick")],
+            failures: Vec::new(),
+            body: Vec::new(),
+            finish: Finish::give(vec![start.clone().count_sub(back)], Status::Ok),
+            guarded: self.guarded(),
+        }
+    }
+}

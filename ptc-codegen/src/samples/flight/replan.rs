@@ -1,0 +1,90 @@
+//! The deadline that a step puts off where a limit would be exceeded, or plans anew.
+
+use super::super::controller::Builder;
+use super::search::{KEPT, Search};
+use super::{AHEAD, LAST};
+use crate::code::{Expr, Place, Shape, Statement, Test};
+use crate::internal::fault;
+use crate::request::After;
+
+/// The samples from the start to rest from this step on.
+pub(in crate::samples) const NOW: &str = "last_now";
+
+/// Samples from the start for which a deadline is put off; the counter of more may wrap.
+const LONGEST: u32 = 1 << 31;
+
+/// 1 if this step has put its deadline off.
+const LATE: &str = "late";
+
+/// Part of the time to go by which a step moves its deadline forward at most.
+const FORWARD: u32 = 16;
+
+impl Builder<'_> {
+    /// Returns true if a step may change the deadline.
+    pub(in crate::samples) fn replans(&self) -> bool {
+        self.flight().is_some_and(crate::request::Flight::replans)
+    }
+
+    /// Statements that set `last_now`, the samples from the start to rest.
+    pub(in crate::samples) fn replan(&mut self) -> Vec<Statement> {
+        let Some(horizon) = self.horizon() else { fault("a deadline without a plan") };
+        let spare = self.spare();
+        let field = || Expr::field(LAST);
+        let elapsed = || Expr::local("elapsed");
+        let mut body = vec![Statement::Note("The deadline that keeps the limits.".to_owned())];
+        body.push(Statement::Begin(NOW.to_owned(), Shape::Count, field()));
+        let count = |name: &str, value| Statement::Let(name.to_owned(), Shape::Count, value);
+        let mut planned = vec![count("to_rest", field().count_left(elapsed()))];
+        let ahead = Expr::local("to_rest").count_left(Expr::Count(spare));
+        planned.push(count(AHEAD, ahead));
+        let (coordinates, flat) = self.coordinates();
+        planned.extend(coordinates);
+        let below = self.below(horizon.rest(), &mut planned);
+        let search = Search { first: Expr::local(AHEAD), below, held: true, keeps_first: true };
+        planned.extend(self.search(&horizon, &flat, search));
+        let whole = elapsed().count_add(Expr::local(KEPT)).count_add(Expr::Count(spare));
+        let set = vec![Statement::Set(Place::Local(NOW.to_owned()), whole)];
+        let changes = match self.flight().is_some_and(|flight| flight.soonest) {
+            true => Expr::Count(0),
+            false => Expr::local(AHEAD),
+        };
+        // The sum stays a count.
+        let test = Test::CountLess(changes, Expr::local(KEPT));
+        let test = test.and(Test::CountLess(elapsed(), Expr::Count(LONGEST)));
+        planned.push(Statement::If(test, set, Vec::new()));
+        // u is 0 then.
+        if self.spec.after == After::Zero {
+            let going = Test::CountLess(elapsed(), field());
+            planned = vec![Statement::If(going, planned, Vec::new())];
+        }
+        body.extend(planned);
+        // The field is set before the end of the call asks.
+        let set = vec![Statement::Set(Place::Local(LATE.to_owned()), Expr::Count(1))];
+        body.push(Statement::Begin(LATE.to_owned(), Shape::Count, Expr::Count(0)));
+        body.push(Statement::If(Test::CountLess(field(), Expr::local(NOW)), set, Vec::new()));
+        body
+    }
+
+    /// The samples to go above which a step plans.
+    fn below(&self, rest: u32, body: &mut Vec<Statement>) -> Expr {
+        let ahead = || Expr::local(AHEAD);
+        if !self.flight().is_some_and(|flight| flight.soonest) {
+            return ahead().count_left(Expr::Count(1));
+        }
+        let set = |value| vec![Statement::Set(Place::Local("below".to_owned()), value)];
+        let forward = ahead().count_over(FORWARD);
+        let from = ahead().count_left(Expr::Count(1)).count_left(forward);
+        body.push(Statement::Begin("below".to_owned(), Shape::Count, from));
+        // Gains that are held are planned no further.
+        let held = Test::CountLess(Expr::Count(rest), ahead());
+        let least = Test::CountLess(Expr::local("below"), Expr::Count(rest));
+        let at_least = vec![Statement::If(least, set(Expr::Count(rest)), Vec::new())];
+        body.push(Statement::If(held, at_least, set(ahead().count_left(Expr::Count(1)))));
+        Expr::local("below")
+    }
+
+    /// A test that this step has put its deadline off.
+    pub(in crate::samples) fn is_late(&self) -> Test {
+        Test::CountEqual(Expr::local(LATE), Expr::Count(1))
+    }
+}

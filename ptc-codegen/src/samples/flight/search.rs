@@ -1,0 +1,108 @@
+//! The search for the soonest deadline: from samples to go that are tried first it doubles until the limits are kept,
+//! and halves the distance to what does not keep them. Each candidate is tested by itself, so that nothing depends on
+//! whether a later deadline is easier to keep.
+
+use num_traits::ToPrimitive;
+
+use super::super::controller::Builder;
+use super::bounds::{FITS, TRIED};
+use crate::algebra::BigRational;
+use crate::code::{Expr, For, Index, Place, Shape, Statement, Test};
+use crate::internal::fault;
+use crate::linear::Horizon;
+
+/// The samples to go that keep the limits; 0 without any.
+pub(super) const KEPT: &str = "kept";
+
+/// Rounds of the search: doublings and halvings of 30 bits.
+const ROUNDS: usize = 64;
+
+/// The part of the limits that a plan may take.
+const PART: &str = "part";
+
+/// What is searched.
+pub(super) struct Search {
+    /// The samples to go that are tried first.
+    pub(super) first: Expr,
+    /// The samples to go that are not allowed, and none below.
+    pub(super) below: Expr,
+    /// True if the first may be those of held gains.
+    pub(super) held: bool,
+    /// True if the first may take all of the limits; others leave the reserve.
+    pub(super) keeps_first: bool,
+}
+
+impl Builder<'_> {
+    /// Statements that set `kept` from the flat coordinates.
+    pub(super) fn search(
+        &mut self,
+        horizon: &Horizon,
+        flat: &[Expr],
+        search: Search,
+    ) -> Vec<Statement> {
+        let [all, planned] = self.parts(horizon);
+        let longest = self.sampled.longest(horizon, self.spec.precision);
+        let begin = |name: &str, value| Statement::Begin(name.to_owned(), Shape::Count, value);
+        let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
+        let [low, top, tried] = ["low", "top", TRIED].map(Expr::local);
+        let mut body = vec![
+            begin("low", search.below),
+            begin("top", Expr::Count(longest + 1)),
+            begin(KEPT, Expr::Count(0)),
+            begin(TRIED, search.first),
+        ];
+        let part = match search.keeps_first {
+            true => {
+                body.push(Statement::Begin(PART.to_owned(), Shape::Real, all));
+                Expr::local(PART)
+            }
+            false => planned.clone(),
+        };
+        let (mut round, limits) = self.plan_limits(horizon, &part, search.held);
+        round.extend(self.fits(horizon, flat, &limits, search.held));
+        let rest = Expr::Count(horizon.rest());
+        let refused = match search.held {
+            true => {
+                let above = Test::CountLess(rest.clone(), tried.clone());
+                vec![Statement::If(above, vec![set("low", tried.clone())], vec![set("low", rest)])]
+            }
+            false => vec![set("low", tried.clone())],
+        };
+        let kept = vec![set(KEPT, tried.clone()), set("top", tried)];
+        round.push(Statement::If(
+            Test::CountEqual(Expr::local(FITS), Expr::Count(1)),
+            kept,
+            refused,
+        ));
+        let gap = top.count_left(low.clone());
+        round.push(Statement::Let("gap".to_owned(), Shape::Count, gap));
+        let near = Test::CountLess(Expr::local("gap"), Expr::Count(2));
+        round.push(Statement::If(near, vec![Statement::Leave], Vec::new()));
+        round.push(Statement::Let(
+            "half".to_owned(),
+            Shape::Count,
+            Expr::local("gap").count_over(2),
+        ));
+        let half = Expr::local("half");
+        let doubles = Test::CountLess(low.clone(), half.clone());
+        let next = |more: Expr| vec![set(TRIED, low.clone().count_add(more))];
+        round.push(Statement::If(doubles, next(low.clone()), next(half)));
+        if search.keeps_first {
+            round.push(set(PART, planned));
+        }
+        let [from, to] = [0, ROUNDS].map(Index::at);
+        body.push(Statement::For(For::each("attempt", from, to, round)));
+        body
+    }
+
+    /// The parts of the limits that a deadline may take which is to stay, and a new one: half of the slack lies
+    /// between, so that a plan is not put off by its own rounding.
+    pub(super) fn parts(&self, horizon: &Horizon) -> [Expr; 2] {
+        let slack = horizon.slack * self.spec.precision.epsilon();
+        let reserve = self.flight().and_then(|flight| flight.reserve.to_f64()).unwrap_or(0.0);
+        [1.0 - slack, (1.0 - 2.0 * slack) * (1.0 - reserve)].map(|part| {
+            let exact = BigRational::from_float(part);
+            Expr::Number(exact.unwrap_or_else(|| fault("the rounding of a plan is no number")))
+        })
+    }
+}
