@@ -12,6 +12,7 @@ mod chain;
 mod compared;
 mod emitted;
 mod eps;
+mod feasible;
 mod followed;
 mod force;
 mod gain;
