@@ -8,7 +8,7 @@ use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::record::{self, Asked, Row, instant};
-use ptc_codegen::simulate::{Failure, Loop, Values, grid, tracking_error};
+use ptc_codegen::simulate::{Failure, Change, Event, Loop, Values, grid, tracking_error};
 use ptc_codegen::syntax::number;
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
@@ -176,7 +176,9 @@ fn around(
             "give times after t0, in s",
         ));
     }
-    let around = Loop { seed, until, arm_at, ..around };
+    let arm = |at| Event { at, change: Change::Arm };
+    let events = arm_at.into_iter().map(arm).collect();
+    let around = Loop { seed, until, events, ..around };
     match around.too_long(spec) {
         Some(message) => Err(wrong(message, "give `Design` a longer sample_time")),
         None => Ok(Some(around)),

@@ -1,5 +1,6 @@
 //! `schema`: a JSON schema of design files, from the tables of keys.
 
+use crate::keys::EVENT_KEYS;
 use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 use crate::keys::{KEYS, KeyInfo, PLANT_KEYS};
 use crate::syntax::number;
@@ -44,6 +45,11 @@ pub(crate) fn schema() -> String {
         "type": "array",
         "items": table(&OBJECTIVE_KEYS, false),
     });
+    let events = json!({
+        "description": "what happens in a simulated run",
+        "type": "array",
+        "items": table(&EVENT_KEYS, false),
+    });
     let properties = top.get_mut("properties").and_then(Value::as_object_mut);
     if let Some(properties) = properties {
         for (name, about, mut table) in tables {
@@ -57,6 +63,7 @@ pub(crate) fn schema() -> String {
             properties.insert(name.to_owned(), either);
         }
         properties.insert("objective".to_owned(), objectives);
+        properties.insert("event".to_owned(), events);
     }
     let head = [
         ("$schema", "https://json-schema.org/draft/2020-12/schema"),

@@ -18,10 +18,20 @@ pub(super) struct Reader<'a> {
     section: Section,
     /// The tables that have had their `[table]`, or a dotted key.
     opened: Vec<&'static str>,
-    /// Place of each table of a list, and true if it has a line.
-    listed: Vec<(Range<usize>, bool)>,
+    /// The tables of lists.
+    listed: Vec<Table>,
     /// Number of items of the lists so far.
     pub(super) items: usize,
+}
+
+/// A table of a list.
+struct Table {
+    /// The name of the list, and its number there, from 1.
+    name: &'static str,
+    number: usize,
+    at: Range<usize>,
+    /// True if it has a line.
+    has_line: bool,
 }
 
 /// The place of a line.
@@ -31,7 +41,7 @@ enum Section {
     Top,
     Table(&'static str),
     /// In one of a list of tables, from 1.
-    Listed(usize),
+    Listed(&'static str, usize),
     /// In a table that is none of a design, so that the line means nothing.
     Unknown,
 }
@@ -44,22 +54,22 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn finish(mut self) -> (Vec<Entry>, Vec<Diagnostic>) {
-        for (number, (at, has_line)) in (1..).zip(std::mem::take(&mut self.listed)) {
+        for Table { name, number, at, has_line } in std::mem::take(&mut self.listed) {
             if !has_line {
-                let message = format!("{LISTED} {number} is empty");
-                let help = "write `bound = \"state\"` and `sigma = 4` under it, or leave it out";
-                let key = format!("{LISTED}[{number}]");
-                self.wrong("missing-key", &key, at, message, help.to_owned());
+                let message = format!("{name} {number} is empty");
+                let holds = LISTED.iter().find(|(own, _)| *own == name).map_or("", |(_, own)| own);
+                let help = format!("write {holds} under it, or leave it out");
+                self.wrong("missing-key", &format!("{name}[{number}]"), at, message, help);
             }
         }
         (self.entries, self.found)
     }
 
     pub(super) fn statement(&mut self, statement: Statement<'_>) {
-        if let (Section::Listed(_), Head::Pair(_)) = (self.section, &statement.head)
-            && let Some((_, has_line)) = self.listed.last_mut()
+        if let (Section::Listed(..), Head::Pair(_)) = (self.section, &statement.head)
+            && let Some(table) = self.listed.last_mut()
         {
-            *has_line = true;
+            table.has_line = true;
         }
         if let Some(wrong) = statement.wrong {
             let key = self.key(&statement.words).unwrap_or_default();
@@ -68,9 +78,12 @@ impl<'a> Reader<'a> {
         match statement.head {
             Head::Table => self.table(&statement.words, "[", "]"),
             Head::Tables => {
-                if dotted(&statement.words) == LISTED {
-                    self.listed.push((range(&statement.words), false));
-                    self.section = Section::Listed(self.listed.len());
+                let name = dotted(&statement.words);
+                if let Some((name, _)) = LISTED.into_iter().find(|(own, _)| *own == name) {
+                    let number = self.listed.iter().filter(|own| own.name == name).count() + 1;
+                    let at = range(&statement.words);
+                    self.listed.push(Table { name, number, at, has_line: false });
+                    self.section = Section::Listed(name, number);
                 } else {
                     self.table(&statement.words, "[[", "]]");
                     self.section = Section::Unknown;
@@ -125,7 +138,7 @@ impl<'a> Reader<'a> {
                 self.wrong("repeated-key", &name, at, message, help);
             }
             Some(table) => self.opened.push(table),
-            None if name == LISTED => {
+            None if LISTED.iter().any(|(own, _)| *own == name) => {
                 let message = format!("`[{name}]` is one table of a list");
                 self.wrong("unknown-table", &name, at, message, format!("write `[[{name}]]`"));
             }
@@ -134,9 +147,9 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown_table(&mut self, name: &str, shown: &str, at: Range<usize>) {
-        let legal = "the tables are params, envelope, model, plant, disturbance, verify and [[objective]]; all other keys go above the first table";
+        let legal = "the tables are params, envelope, model, plant, disturbance, verify, [[objective]] and [[event]]; all other keys go above the first table";
         let first = name.split('.').next().unwrap_or(name);
-        let help = match near_miss(first, TABLES.into_iter().chain([LISTED])) {
+        let help = match near_miss(first, TABLES.into_iter().chain(LISTED.map(|(name, _)| name))) {
             Some(meant) if meant == first => format!("a table holds no tables: {legal}"),
             Some(meant) => format!("did you mean `{meant}`? {legal}"),
             None => legal.to_owned(),
@@ -183,7 +196,7 @@ impl<'a> Reader<'a> {
         match self.section {
             Section::Top => Some(name),
             Section::Table(table) => Some(format!("{table}.{name}")),
-            Section::Listed(index) => Some(format!("{LISTED}[{index}].{name}")),
+            Section::Listed(table, number) => Some(format!("{table}[{number}].{name}")),
             Section::Unknown => None,
         }
     }

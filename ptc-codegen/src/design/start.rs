@@ -1,6 +1,7 @@
 //! Design files to begin with, one for each kind of plant: short, with units, and accepted as they are.
 
 use super::template::literal;
+use crate::keys::EVENT_KEYS;
 use crate::keys::verify::{self, OBJECTIVE_KEYS};
 use crate::keys::{KeyInfo, PLANT_KEYS};
 
@@ -130,6 +131,7 @@ fn brief(table: &str, key: &str) -> &'static str {
     let info = match table {
         "verify" => find(&verify::KEYS),
         "objective" => find(&OBJECTIVE_KEYS),
+        "event" => find(&EVENT_KEYS),
         "plant" => find(&PLANT_KEYS).or_else(|| KeyInfo::find(key)),
         _ => KeyInfo::find(key),
     };

@@ -1,6 +1,7 @@
 //! A design file to begin with, made from the table of keys so that it lists them all.
 
 use super::TABLES;
+use crate::keys::EVENT_KEYS;
 use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 use crate::keys::{GROUPS, KEYS, KeyInfo, PLANT_KEYS};
 use crate::plant;
@@ -57,6 +58,8 @@ fn of_verify() -> String {
     );
     text.push_str("\n# What has to hold: a table for each objective.\n# [[objective]]\n");
     text.extend(OBJECTIVE_KEYS.iter().map(|info| entry(info, None)));
+    text.push_str("\n# What happens in a simulated run: a table for each event.\n# [[event]]\n");
+    text.extend(EVENT_KEYS.iter().map(|info| entry(info, None)));
     text
 }
 

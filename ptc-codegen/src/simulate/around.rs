@@ -2,6 +2,7 @@
 
 use num_traits::ToPrimitive;
 
+use super::event::{Change, Event};
 use crate::linear::Delay;
 use crate::parameter::Fixed;
 use crate::request::{Spec, one_or_each};
@@ -34,8 +35,8 @@ pub struct Loop {
     pub delay: Delay,
     /// Time after t0 at which the run ends, in s; tau if `None`.
     pub until: Option<f64>,
-    /// Times after t0, in s, at whose next sample the controller is armed again.
-    pub arm_at: Vec<f64>,
+    /// What happens in the run, at the next samples.
+    pub events: Vec<Event>,
     /// Parts of a sample at whose ends the plant is handed over too.
     pub parts: u32,
 }
@@ -54,7 +55,7 @@ impl Default for Loop {
             seed: 0,
             delay: Delay::default(),
             until: None,
-            arm_at: Vec::new(),
+            events: Vec::new(),
             parts: 1,
         }
     }
@@ -85,9 +86,10 @@ impl Loop {
     /// The time after t0, at most `until`, of the last sample at which the controller is armed; 0 where it is not
     /// armed again.
     pub fn last_armed(&self, until: f64) -> f64 {
-        let sample = |at: &f64| (at * (1.0 - SAME) / self.period).ceil() * self.period;
+        let sample = |event: &Event| (event.at * (1.0 - SAME) / self.period).ceil() * self.period;
+        let arms = |event: &&Event| matches!(event.change, Change::Arm | Change::Deadline(_));
         let within = |at: &f64| *at <= until * (1.0 + SAME);
-        self.arm_at.iter().map(sample).filter(within).fold(0.0, f64::max)
+        self.events.iter().filter(arms).map(sample).filter(within).fold(0.0, f64::max)
     }
 
     /// Returns true if anything in it is drawn at each sample.

@@ -19,4 +19,14 @@ pub trait Control {
     /// Returns every u for the measurement at `t`, a time or the number of a sample, and the status; u is 0 where the
     /// status is negative.
     fn step(&mut self, t: f64, measured: &[f64]) -> (&[f64], Status);
+
+    /// Calls another function, by its name, with its arguments in their order; `None` where there is none.
+    fn told(&mut self, _function: &str, _given: &[&[f64]]) -> Option<Status> {
+        None
+    }
+
+    /// Returns the sample at which the loop is to be at rest, where the controller may change it.
+    fn deadline(&mut self) -> Option<f64> {
+        None
+    }
 }

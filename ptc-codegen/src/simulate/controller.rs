@@ -32,6 +32,7 @@ struct Emitted {
     open: Vec<(Parameter, Slot)>,
     arm: Handle,
     step: Handle,
+    deadline: Option<Handle>,
 }
 
 /// The optimised program of a controller in time.
@@ -58,7 +59,9 @@ impl Controller {
         let slot = |parameter| Some((parameter, instance.slot(parameter)?));
         let open = spec.run_time_parameters().filter_map(slot).collect();
         let [arm, step] = ["arm", "step"].map(|name| instance.handle(name));
-        Ok(Self { emitted: Arc::new(Emitted { spec, program, code, open, arm, step }), instance })
+        let deadline = code.function("deadline").map(|own| instance.handle(own.name));
+        let emitted = Emitted { spec, program, code, open, arm, step, deadline };
+        Ok(Self { emitted: Arc::new(emitted), instance })
     }
 
     /// Returns the spec of the emitted code.
@@ -87,6 +90,18 @@ impl Control for Controller {
     fn step(&mut self, t: f64, x: &[f64]) -> (&[f64], Status) {
         let status = self.instance.perform(self.emitted.step, &[&[t], x]);
         (self.instance.result(self.emitted.step), status.into())
+    }
+
+    fn told(&mut self, function: &str, given: &[&[f64]]) -> Option<Status> {
+        let own = self.emitted.code.function(function)?;
+        let handle = self.instance.handle(own.name);
+        Some(self.instance.perform(handle, given).into())
+    }
+
+    fn deadline(&mut self) -> Option<f64> {
+        let deadline = self.emitted.deadline?;
+        self.instance.perform(deadline, &[]);
+        self.instance.result(deadline).first().copied()
     }
 }
 

@@ -47,10 +47,18 @@ impl<'a> Frame<'a> {
             true => 1.0,
             false => around.delay.part().to_f64().unwrap_or(1.0),
         };
-        let end = around.until.unwrap_or(tau);
+        let last = around.events.iter().map(|event| event.at).fold(tau, f64::max);
+        let end = around.until.unwrap_or(last);
         let sensors = [&around.noise, &around.noise_rms, &around.sensor_step];
         let exact = sensors.into_iter().flatten().all(|own| *own == 0.0);
         Self { around, random, gain, end, index: 0, now: 0.0, part, exact }
+    }
+
+    /// Puts the end of a run off to a later deadline, unless its end was chosen.
+    pub(super) fn extend(&mut self, deadline: f64) {
+        if self.around.until.is_none() {
+            self.end = self.end.max(deadline);
+        }
     }
 
     /// The time of the next sample after t0, as the controller has it, and whether it is the last one.

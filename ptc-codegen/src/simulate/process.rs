@@ -2,10 +2,10 @@
 
 use std::collections::VecDeque;
 
-use super::around::SAME;
 use super::between::{BETWEEN, Between, Held, Moved};
 use super::control::Control;
 use super::frame::{Frame, Span};
+use super::happening::Events;
 use super::integrals::Integrals;
 use super::linear::Linear;
 use super::method::State;
@@ -33,6 +33,9 @@ pub struct Process {
     pub(super) outputs: Option<Outputs>,
     pub(super) integrals: Option<Integrals>,
 }
+
+/// Most times tau for which a run follows a deadline that is put off.
+const LONGEST: f64 = 20.0;
 
 /// Bounds of all states and of u below which they count as 0.
 const NOTHING: [f64; 2] = [1e-100, 1e-80];
@@ -89,33 +92,32 @@ impl Process {
         let mut late = VecDeque::from(vec![none.clone(); around.delay.inputs()]);
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
-        let mut armed = around.arm_at.clone();
-        armed.sort_unstable_by(f64::total_cmp);
-        let mut armed = armed.into_iter().peekable();
+        let mut events = Events::new(&around.events);
         let mut deadline = tau;
         let mut walk = Walk::default();
         loop {
             let index = frame.index;
-            let (since, last) = frame.since();
+            let (since, _) = frame.since();
             let t = t0 + since;
             if let Some(values) = change(since) {
                 self.give(values)?;
             }
+            let now = if self.in_samples { f64::from(index) } else { t };
+            let happens = events.at(since);
+            x.as_mut_slice()[0] -= happens.moved(control);
             let state = &x.as_slice()[..self.n];
             let measured = self.measured(&mut frame, t, state);
-            let now = if self.in_samples { f64::from(index) } else { t };
-            let mut again = false;
-            while armed.next_if(|at| since >= at * (1.0 - SAME)).is_some() {
-                again = true;
-            }
-            if again {
-                if !control.arm(now, &measured) {
-                    return Err(Failure::not_armed(t));
-                }
-                deadline = since + tau;
+            if let Some(rest) = happens.arms(control, (now, t), &measured, around.period)? {
+                deadline = since + rest.unwrap_or(tau);
+                frame.extend(deadline);
             }
             let (u, status) = control.step(now, &measured);
             late.push_back(u.iter().map(|u| frame.actuated(*u)).collect());
+            if let Some(sample) = control.deadline() {
+                deadline = sample * around.period;
+                frame.extend(deadline.min(LONGEST * tau));
+            }
+            let (_, last) = frame.since();
             let u = late.pop_front().unwrap_or_else(|| none.clone());
             let newer = late.front().unwrap_or(&u);
             visit(Sample {
@@ -133,7 +135,8 @@ impl Process {
             }
             let Span { from, over, to } = frame.next();
             for (u, from, to) in [(&u, from, over), (newer, over, to)] {
-                let acts: Vec<_> = u.iter().map(|u| frame.gain * u).collect();
+                let force = events.force(since);
+                let acts: Vec<_> = u.iter().map(|u| frame.gain * u + force).collect();
                 let held = Held { u, acts: &acts };
                 let at = |part: u32| match part == around.parts {
                     true => to,

@@ -7,8 +7,8 @@ use crate::diagnostic::counted;
 use crate::limits::SAMPLES;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
-use crate::simulate::Loop;
 use crate::simulate::record::{Asked, instant};
+use crate::simulate::{Change, Event, Loop};
 use crate::syntax::number;
 use num_traits::{Signed, ToPrimitive};
 
@@ -20,6 +20,7 @@ pub(super) fn read(
     request: &Simulate,
     x0: &str,
     spec: &Spec,
+    events: &[Event],
 ) -> Result<(Asked, Option<Loop>), Failure> {
     let states = spec.state_names();
     let x0 = List::new("--x0", x0)?;
@@ -34,7 +35,13 @@ pub(super) fn read(
             format!("give one number for each of {}, separated by commas", states.join(", "));
         return Err(x0.wrong(None, message, &help));
     }
-    let around = around(request, spec)?;
+    let around = around(request, spec, events)?;
+    if around.is_none() && !events.is_empty() {
+        return Err(Failure::because(
+            "the events of the design need the sampled loop".to_owned(),
+            "give --sample-time, or a clock in samples",
+        ));
+    }
     for (flag, given) in [("--until", &request.until), ("--arm-at", &request.arm_at)] {
         if let (None, Some(given)) = (&around, given) {
             let message = format!("{flag} needs the sampled loop");
@@ -111,7 +118,7 @@ pub(super) fn outside(spec: &Spec, x0: &[f64]) -> Option<String> {
 }
 
 /// The sampled loop, if the design or a flag gives what it needs.
-fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
+fn around(request: &Simulate, spec: &Spec, events: &[Event]) -> Result<Option<Loop>, Failure> {
     let at = request.at_fraction.is_some() || request.at_time.is_some();
     let between = at && !request.spec.0.gives("sample_time");
     let Some(asked) = Loop::asked(spec, between) else { return Ok(None) };
@@ -123,7 +130,9 @@ fn around(request: &Simulate, spec: &Spec) -> Result<Option<Loop>, Failure> {
     };
     let until = request.until.as_deref().map(end).transpose()?;
     let arm_at = request.arm_at.as_deref().map(List::times).transpose()?.unwrap_or_default();
-    let around = Loop { seed: request.seed, until, arm_at, ..around };
+    let arm = |at| Event { at, change: Change::Arm };
+    let events = events.iter().copied().chain(arm_at.into_iter().map(arm)).collect();
+    let around = Loop { seed: request.seed, until, events, ..around };
     if let Some(message) = around.too_long(spec) {
         return Err(Failure::because(message, SAMPLES.fix));
     }

@@ -25,6 +25,7 @@ use super::progress::checking;
 use super::report::{Failure, note};
 use super::source::Source;
 use super::write;
+use crate::simulate::event;
 
 /// Runs `simulate`.
 pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
@@ -86,7 +87,11 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             note(&format!("the design has no [plant]: the plant is {plant}"));
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
-        let (asked, around) = input::read(request, x0, &spec)?;
+        let events = match event::read(&given.entries, &requested) {
+            Ok(events) => events,
+            Err(found) => return given.finish(None, found),
+        };
+        let (asked, around) = input::read(request, x0, &spec, &events)?;
         if let Some(outside) = input::outside(&spec, &asked.x0) {
             note(&outside);
         }

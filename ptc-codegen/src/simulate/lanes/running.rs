@@ -132,7 +132,7 @@ impl RunningLanes {
     fn begin(&mut self, lane: usize, job: &Sampling<'_>) -> Option<()> {
         let Sampling { values, x0, around, .. } = *job;
         let alike = around.delay.is_whole() && around.delay == self.delay.0;
-        if !alike || around.parts != 1 || !around.arm_at.is_empty() {
+        if !alike || around.parts != 1 || !around.events.is_empty() {
             return None;
         }
         self.controller.init(values, x0).ok()?;
