@@ -309,3 +309,43 @@ fn poles_of_least_energy_have_a_name() {
     assert!((u(0) / (-12.0 / (0.42 * 0.41)) - 1.0).abs() < 1e-14);
     assert!((u(30) / (-20.0 / (0.13 * 0.12)) - 1.0).abs() < 1e-14);
 }
+
+ptc::ptc_controller!(
+    n = 2,
+    mu = exp(a = 1),
+    name = Late,
+    clock = samples,
+    poles = least - energy,
+    measured = x1,
+    observer_poles = [-4, -5],
+    observer_samples = 30,
+    tau = 0.4,
+    sample_time = 0.01,
+    eps = 0,
+    late = extend,
+    state_max = [inf, 0.5],
+    reserve = 0.1,
+    u_max = 4
+);
+
+/// A deadline in flight: it is put off, moved with the target, and refused where it is no number of samples.
+#[test]
+fn deadlines_change_in_flight() {
+    let mut late = Late::new(LateParams {}).expect("no parameter is left to run time");
+    late.arm(7);
+    assert_eq!(late.deadline(), 47);
+    late.assume(&[0.3, 0.1]).expect("a finite state");
+    let soonest = late.soonest().expect("a deadline");
+    assert!(soonest > 40, "{soonest}");
+    let first = late.step(7, &[0.3]).expect("a control");
+    assert_eq!(first.status, ptc::Status::Late);
+    assert_eq!(late.deadline(), 7 + soonest);
+    late.r#move(0.3).expect("a finite distance");
+    assert!((late.estimate()[0]).abs() < 0.1);
+    late.arm_for(8, 90).expect("90 samples");
+    assert_eq!(late.deadline(), 98);
+    assert_eq!(late.arm_for(8, 1), Err(ptc::Error::Param));
+    assert_eq!(late.r#move(f64::NAN), Err(ptc::Error::Input));
+    late.assume(&[0.0, 0.6]).expect("a finite state");
+    assert_eq!(late.soonest(), Err(ptc::Error::Soon), "beyond its bound");
+}

@@ -13,6 +13,7 @@ mod contradictions;
 mod controller_in_c;
 mod design;
 mod digits;
+mod events;
 mod examined;
 mod expanded;
 #[cfg(unix)]

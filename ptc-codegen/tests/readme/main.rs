@@ -83,12 +83,15 @@ const RESONANCE: &str = include_str!("../../../docs/guide/resonance.md");
 /// A plant for the stage of docs/start.md.
 const ROBUST: &str = include_str!("../../../docs/guide/robust.md");
 
+/// Events of the same stage.
+const MOVES: &str = include_str!("../../../docs/guide/moves.md");
+
 const AXES: &str = include_str!("../../../docs/guide/axes.md");
 
 const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
 
 /// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 43] = [
+const PAGES: [(&str, &str); 46] = [
     ("guide/README.md", GUIDE),
     ("guide/choose.md", include_str!("../../../docs/guide/choose.md")),
     ("guide/period.md", include_str!("../../../docs/guide/period.md")),
@@ -99,6 +102,8 @@ const PAGES: [(&str, &str); 43] = [
     ("guide/axes.md", AXES),
     ("guide/python.md", include_str!("../../../docs/guide/python.md")),
     ("guide/robust.md", ROBUST),
+    ("guide/feasible.md", include_str!("../../../docs/guide/feasible.md")),
+    ("guide/moves.md", MOVES),
     ("start.md", START),
     ("explorer.md", include_str!("../../../docs/explorer.md")),
     ("catalogue.md", include_str!("../../../docs/catalogue.md")),
@@ -112,6 +117,7 @@ const PAGES: [(&str, &str); 43] = [
     ("samples.md", SAMPLES),
     ("theory/samples.md", include_str!("../../../docs/theory/samples.md")),
     ("theory/least-energy.md", include_str!("../../../docs/theory/least-energy.md")),
+    ("theory/deadlines.md", include_str!("../../../docs/theory/deadlines.md")),
     ("theory/loop.md", include_str!("../../../docs/theory/loop.md")),
     ("targets.md", include_str!("../../../docs/targets.md")),
     ("expressions.md", EXPRESSIONS),

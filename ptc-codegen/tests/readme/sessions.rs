@@ -5,9 +5,9 @@ use std::path::Path;
 use std::process::Command;
 
 use super::{
-    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, PAGES,
-    PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE, TANK,
-    TRACK, VERIFY, blocks_of, folder, shell,
+    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, MOVES,
+    PAGES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE,
+    TANK, TRACK, VERIFY, blocks_of, folder, shell,
 };
 
 /// Returns the output of `line` in `folder`; a refused design is not a failure.
@@ -46,7 +46,9 @@ fn write(name: &str, line: &str, shown: &str, told: &str) {
 #[test]
 fn pages_show_what_is_printed() {
     let folder = folder("pages");
-    let [stage, carriage] = &blocks_of(SIMULATE, "toml")[..] else { panic!("designs") };
+    let [stage, carriage, event] = &blocks_of(SIMULATE, "toml")[..] else { panic!("designs") };
+    let late = ENCODER.replace("[params]", "late = \"extend\"\n[params]");
+    fs::write(folder.join("events.toml"), format!("{late}\n{event}")).expect("writable");
     fs::write(folder.join("stage.toml"), stage).expect("writable");
     fs::write(folder.join("carriage.toml"), carriage).expect("writable");
     assert_eq!(blocks_of(RESONANCE, "toml"), [ELASTIC]);
@@ -60,7 +62,13 @@ fn pages_show_what_is_printed() {
     let [wish, _] = &blocks_of(DESIGN, "toml")[..] else { panic!("two wishes") };
     fs::write(folder.join("wish.toml"), wish).expect("writable");
     fs::write(folder.join("encoder.toml"), ENCODER).expect("writable");
-    let [settled, gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("three designs") };
+    let [flight, settled, gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("designs") };
+    let in_flight = ENCODER.replace("[params]", &format!("{flight}\n[params]"));
+    fs::write(folder.join("flight.toml"), in_flight).expect("writable");
+    let [moves] = &blocks_of(MOVES, "toml")[..] else { panic!("events") };
+    let (keys, events) = moves.split_once("[[event]]").expect("keys and events");
+    let moves = ENCODER.replace("[params]", &format!("{keys}\n[params]"));
+    fs::write(folder.join("moves.toml"), format!("{moves}\n[[event]]{events}")).expect("writable");
     let of_round = ["observer_poles", "observer_samples", "observer_eps"];
     let lines = ENCODER.lines().filter(|line| !of_round.iter().any(|key| line.starts_with(key)));
     let lines: Vec<_> = lines.collect();
@@ -131,6 +139,8 @@ fn pages_show_what_is_printed() {
     for picture in [
         "axes.svg",
         "choose.svg",
+        "feasible.svg",
+        "moves.svg",
         "noise.svg",
         "period.svg",
         "python.svg",

@@ -2,6 +2,8 @@
 //! chain. What runs is the program that is emitted, in its own arithmetic.
 
 mod calls;
+mod flight;
+mod flight_in_c;
 mod followed;
 mod least_energy;
 mod predicted;

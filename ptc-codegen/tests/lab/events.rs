@@ -1,0 +1,102 @@
+//! Events of a simulated run: targets that move, deadlines that change, kicks.
+
+use std::path::Path;
+
+use crate::support;
+
+/// A stage whose position alone is measured, with a force that is not known.
+const STAGE: &str = "name = \"stage\"\nn = 2\ng = \"1/1.5\"\nmu = \"exp(a=1)\"\nclock = \"samples\"\n\
+    sample_time = 1e-3\ndelay = 1\npoles = \"least-energy\"\nmeasured = [\"x1\"]\n\
+    disturbance = \"constant\"\nobserver_poles = [-4, -5, -6]\nobserver_samples = 100\n";
+
+fn simulate(folder: &Path, design: &str, more: &[&str]) -> (Option<i32>, String, String) {
+    std::fs::write(folder.join("stage.toml"), design).expect("a file");
+    let mut command = support::command(&["simulate", "stage.toml", "--x0=0.1,0"]);
+    command.args(more).current_dir(folder);
+    support::told(&mut command)
+}
+
+/// t, x1, x2 and the status of each sample.
+fn rows(csv: &str) -> Vec<(f64, f64, f64, String)> {
+    let row = |line: &str| {
+        let cells: Vec<_> = line.split(',').collect();
+        let number = |i: usize| cells[i].parse().expect("a number");
+        (number(1), number(2), number(3), cells[cells.len() - 1].to_owned())
+    };
+    csv.lines().skip(1).map(row).collect()
+}
+
+#[test]
+fn moves_follow_one_another() {
+    let folder = support::folder("events_moves");
+    let design = format!(
+        "{STAGE}late = \"extend\"\n[params]\ntau = 0.8\neps = 0\nu_max = 6\n\
+         [[event]]\nat = 0.9\nmove = 0.05\ntau = 0.4\n[[event]]\nat = 1.4\nmove = -0.2\ntau = 0.1\n"
+    );
+    let (code, csv, told) = simulate(&folder, &design, &[]);
+    assert_eq!(code, Some(0), "{told}");
+    let rows = rows(&csv);
+    let at = |t: f64| rows.iter().find(|row| (row.0 - t).abs() < 1e-6).expect("a sample");
+    for t in [0.8, 1.3] {
+        assert!(at(t).1.abs() < 1e-9 && at(t).2.abs() < 1e-7, "{:?}", at(t));
+    }
+    assert!((at(0.9).1 + 0.05).abs() < 1e-9, "the target is 0.05 farther: {:?}", at(0.9));
+    // 0.1 s is too soon for 0.2 m: the deadline is put off, and the run goes on to it.
+    let last = rows.last().expect("a sample");
+    assert!(last.0 > 1.6 && last.0 < 2.2, "{last:?}");
+    assert!(last.1.abs() < 1e-9 && last.2.abs() < 1e-7, "{last:?}");
+    assert!(rows.iter().any(|row| row.3 == "PTC_LATE"), "{csv}");
+    assert!(rows.iter().all(|row| row.3 != "PTC_SATURATED"), "{csv}");
+}
+
+#[test]
+fn kicks_are_forces_for_a_time() {
+    let folder = support::folder("events_kick");
+    let design = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\npoles = [-4, -5]\n\
+        [params]\ntau = 1\neps = 0\nu_max = inf\n[[event]]\nat = 0\nkick = 3\nfor = 0.02\n";
+    let (code, csv, told) = simulate(&folder, design, &["--until", "0.03"]);
+    assert_eq!(code, Some(0), "{told}");
+    let rows = rows(&csv);
+    let u = |row: usize| -> f64 {
+        csv.lines()
+            .nth(row + 1)
+            .and_then(|line| line.split(',').nth(4))
+            .expect("u")
+            .parse()
+            .expect("a number")
+    };
+    for k in 0..3 {
+        let force = if k < 2 { 3.0 } else { 0.0 };
+        let wanted = rows[k].2 + 0.01 * (u(k) + force);
+        assert!((rows[k + 1].2 - wanted).abs() < 1e-12, "{k}: {rows:?}");
+    }
+}
+
+#[test]
+fn wrong_events_are_refused() {
+    let folder = support::folder("events_wrong");
+    let head = format!("{STAGE}[params]\ntau = 0.8\neps = 0\nu_max = 6\n");
+    for (event, message) in [
+        ("[[event]]\n", "event 1 is empty"),
+        ("[[event]]\nmove = 1\n", "an event without a time"),
+        ("[[event]]\nat = 0.1\n", "an event in which nothing happens"),
+        ("[[event]]\nat = -1\nmove = 1\n", "at = -1 is not a time >= 0"),
+        ("[[event]]\nat = 0.1\ntau = 0.3\n", "`tau` of an event does not suit this controller"),
+        ("[[event]]\nat = 0.1\nkick = 3\n", "`kick` and `for` belong together"),
+        ("[[event]]\nat = 0.1\nmov = 3\n", "unknown key `mov` of an event"),
+        ("[event]\nat = 0.1\n", "`[event]` is one table of a list"),
+    ] {
+        let (code, _, told) = simulate(&folder, &format!("{head}{event}"), &[]);
+        assert_eq!(code, Some(2), "{event}: {told}");
+        assert!(told.contains(message) && told.matches("error").count() == 1, "{event}: {told}");
+    }
+    let refuses = format!(
+        "{}[params]\ntau = 0.8\neps = 0\nu_max = 6\n[[event]]\nat = 0.4\nmove = 1\ntau = 0.05\n",
+        format!("{STAGE}late = \"refuse\"\n")
+    );
+    let (code, _, told) = simulate(&folder, &refuses, &[]);
+    assert!(
+        code != Some(0) && told.contains("arm_for refuses a deadline in 50 samples, PTC_E_SOON"),
+        "{told}"
+    );
+}
