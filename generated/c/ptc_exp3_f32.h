@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_F32_38F456C8_H
-#define PTC_EXP3_F32_38F456C8_H
+#ifndef PTC_EXP3_F32_B1751D4C_H
+#define PTC_EXP3_F32_B1751D4C_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -88,9 +88,11 @@ typedef enum ptc_status {
     PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
+    PTC_LATE = 5, /* the deadline was put off, as a limit would have been exceeded: u is valid */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
-    PTC_E_RANGE = -3 /* u not finite */
+    PTC_E_RANGE = -3, /* u not finite */
+    PTC_E_SOON = -4 /* a deadline too soon for the limits, or none that keeps them */
 } ptc_status;
 #endif
 

@@ -66,8 +66,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_2590CD6F_HPP
-#define PTC_EXP_SUM2_2590CD6F_HPP
+#ifndef PTC_EXP_SUM2_E504B541_HPP
+#define PTC_EXP_SUM2_E504B541_HPP
 
 #include <array>
 #include <cfloat>
@@ -105,9 +105,11 @@ enum class Status : int {
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
-    Range = -3 ///< u not finite
+    Range = -3, ///< u not finite
+    Soon = -4 ///< a deadline too soon for the limits, or none that keeps them
 };
 
 /// Result of a step.
@@ -311,7 +313,7 @@ public:
         double y = (v2 < v3) ? v3 : v2;
         double y_low = v2;
         double y_high = v1 * slowest_;
-        for (std::size_t attempt = 0U; attempt < 12U; attempt++) {
+        for (std::uint32_t attempt = 0U; attempt < 12U; attempt++) {
             const double v4 = std::exp(-(a1_ * y));
             const double v5 = std::exp(-(a2_ * y));
             const double v6 = a1_ * v4;
@@ -391,7 +393,7 @@ public:
         double y = (v2 < v3) ? v3 : v2;
         double y_low = v2;
         double y_high = v1 * slowest_;
-        for (std::size_t attempt = 0U; attempt < 12U; attempt++) {
+        for (std::uint32_t attempt = 0U; attempt < 12U; attempt++) {
             const double v4 = std::exp(-(a1_ * y));
             const double v5 = std::exp(-(a2_ * y));
             const double v6 = a1_ * v4;

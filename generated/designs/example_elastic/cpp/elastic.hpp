@@ -44,8 +44,8 @@
  *       the law and a rigid plant, at the deadline |x| <= 1.015e-4, 0.002024.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef ELASTIC_B552BE28_HPP
-#define ELASTIC_B552BE28_HPP
+#ifndef ELASTIC_BB70FA3F_HPP
+#define ELASTIC_BB70FA3F_HPP
 
 #include <array>
 #include <cfloat>
@@ -82,9 +82,11 @@ enum class Status : int {
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
-    Range = -3 ///< u not finite
+    Range = -3, ///< u not finite
+    Soon = -4 ///< a deadline too soon for the limits, or none that keeps them
 };
 
 /// Result of a step.

@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_D5668433_HPP
-#define GANTRY_D5668433_HPP
+#ifndef GANTRY_A63508DF_HPP
+#define GANTRY_A63508DF_HPP
 
 #include <array>
 #include <cfloat>
@@ -106,9 +106,11 @@ enum class Status : int {
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
-    Range = -3 ///< u not finite
+    Range = -3, ///< u not finite
+    Soon = -4 ///< a deadline too soon for the limits, or none that keeps them
 };
 
 /// Result of a step.
@@ -299,7 +301,7 @@ public:
             all.status = Status::Hold;
         }
         std::array<double, 3> wanted{};
-        for (std::size_t axis = 0U; axis < 3U; axis++) {
+        for (std::uint32_t axis = 0U; axis < 3U; axis++) {
             const double v3 = (gain[2U * axis] * x[axis][0]) + (gain[(2U * axis) + 1U] * x[axis][1]);
             const double g = input_gain[axis];
             wanted[axis] = ((g < 0.0) || (g > 0.0)) ? (v3 / g) : std::numeric_limits<double>::quiet_NaN();
@@ -307,11 +309,11 @@ public:
         all.u[0] = wanted[0];
         all.u[1] = wanted[1];
         all.u[2] = wanted[2];
-        for (std::size_t axis = 0U; axis < 3U; axis++) {
+        for (std::uint32_t axis = 0U; axis < 3U; axis++) {
             all.axes[axis] = all.status;
         }
-        std::size_t outside = 0U;
-        for (std::size_t axis = 0U; axis < 3U; axis++) {
+        std::uint32_t outside = 0U;
+        for (std::uint32_t axis = 0U; axis < 3U; axis++) {
             const double v = wanted[axis];
             if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
                 outside = 1U;
@@ -319,7 +321,7 @@ public:
             }
         }
         if (outside == 1U) {
-            for (std::size_t axis = 0U; axis < 3U; axis++) {
+            for (std::uint32_t axis = 0U; axis < 3U; axis++) {
                 const double v = wanted[axis];
                 if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
                     if (finite(x[axis][0]) && finite(x[axis][1])) {
@@ -343,7 +345,7 @@ public:
                 }
             }
             if (all.status < Status::Ok) {
-                for (std::size_t axis = 0U; axis < 3U; axis++) {
+                for (std::uint32_t axis = 0U; axis < 3U; axis++) {
                     all.u[axis] = 0.0;
                 }
             }

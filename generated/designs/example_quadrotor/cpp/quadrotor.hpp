@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_5698A6B9_HPP
-#define QUADROTOR_5698A6B9_HPP
+#ifndef QUADROTOR_8A949416_HPP
+#define QUADROTOR_8A949416_HPP
 
 #include <array>
 #include <cfloat>
@@ -110,9 +110,11 @@ enum class Status : int {
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
-    Range = -3 ///< u not finite
+    Range = -3, ///< u not finite
+    Soon = -4 ///< a deadline too soon for the limits, or none that keeps them
 };
 
 /// Result of a step.
@@ -323,7 +325,7 @@ public:
             all.status = Status::Hold;
         }
         std::array<double, 4> wanted{};
-        for (std::size_t axis = 0U; axis < 4U; axis++) {
+        for (std::uint32_t axis = 0U; axis < 4U; axis++) {
             const double e1 = x[axis][0] - r[axis][0];
             const double e2 = x[axis][1] - r[axis][1];
             const double v5 = (gain[2U * axis] * e1) + (gain[(2U * axis) + 1U] * e2) + r[axis][2];
@@ -334,11 +336,11 @@ public:
         all.u[1] = wanted[1];
         all.u[2] = wanted[2];
         all.u[3] = wanted[3];
-        for (std::size_t axis = 0U; axis < 4U; axis++) {
+        for (std::uint32_t axis = 0U; axis < 4U; axis++) {
             all.axes[axis] = all.status;
         }
-        std::size_t outside = 0U;
-        for (std::size_t axis = 0U; axis < 4U; axis++) {
+        std::uint32_t outside = 0U;
+        for (std::uint32_t axis = 0U; axis < 4U; axis++) {
             const double v = wanted[axis];
             if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
                 outside = 1U;
@@ -346,7 +348,7 @@ public:
             }
         }
         if (outside == 1U) {
-            for (std::size_t axis = 0U; axis < 4U; axis++) {
+            for (std::uint32_t axis = 0U; axis < 4U; axis++) {
                 const double v = wanted[axis];
                 if (!(finite(v) && (absolute(v) <= u_max[axis]))) {
                     if (finite(x[axis][0])
@@ -374,7 +376,7 @@ public:
                 }
             }
             if (all.status < Status::Ok) {
-                for (std::size_t axis = 0U; axis < 4U; axis++) {
+                for (std::uint32_t axis = 0U; axis < 4U; axis++) {
                     all.u[axis] = 0.0;
                 }
             }

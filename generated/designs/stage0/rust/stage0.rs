@@ -52,6 +52,8 @@ pub enum Status {
     After,
     /// A reading was not believed: u by prediction alone; wins over all above.
     Gated,
+    /// The deadline was put off, as a limit would have been exceeded.
+    Late,
 }
 
 /// Result of a step.
@@ -72,6 +74,8 @@ pub enum Error {
     Input,
     /// u is not finite.
     Range,
+    /// A deadline is too soon for the limits, or none keeps them.
+    Soon,
 }
 
 impl core::fmt::Display for Error {
@@ -80,6 +84,7 @@ impl core::fmt::Display for Error {
             Self::Param => "a parameter is outside its domain",
             Self::Input => "x or t is not finite, or t is before t0",
             Self::Range => "u is not finite",
+            Self::Soon => "no deadline so soon keeps the limits",
         })
     }
 }

@@ -50,8 +50,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_2712C9F1_HPP
-#define STAGE24_2712C9F1_HPP
+#ifndef STAGE24_D8B3D804_HPP
+#define STAGE24_D8B3D804_HPP
 
 #include <array>
 #include <cfloat>
@@ -88,9 +88,11 @@ enum class Status : int {
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
-    Range = -3 ///< u not finite
+    Range = -3, ///< u not finite
+    Soon = -4 ///< a deadline too soon for the limits, or none that keeps them
 };
 
 /// Result of a step.

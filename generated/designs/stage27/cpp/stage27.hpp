@@ -76,8 +76,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_81A36F21_HPP
-#define STAGE27_81A36F21_HPP
+#ifndef STAGE27_6D76CE1F_HPP
+#define STAGE27_6D76CE1F_HPP
 
 #include <array>
 #include <cfloat>
@@ -115,9 +115,11 @@ enum class Status : int {
     Saturated = 2, ///< u clipped to its limits; wins over Hold and After
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
+    Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
-    Range = -3 ///< u not finite
+    Range = -3, ///< u not finite
+    Soon = -4 ///< a deadline too soon for the limits, or none that keeps them
 };
 
 /// Result of a step.
@@ -378,22 +380,22 @@ private:
     static constexpr std::array<double, 4> eliminate(
         std::array<double, 4> b, std::array<double, 16> a) noexcept
     {
-        for (std::size_t k = 0U; k < 4U; k++) {
-            std::size_t most = k;
+        for (std::uint32_t k = 0U; k < 4U; k++) {
+            std::uint32_t most = k;
             double largest = absolute(a[(4U * k) + k]);
-            for (std::size_t i = k + 1U; i < 4U; i++) {
+            for (std::uint32_t i = k + 1U; i < 4U; i++) {
                 const double size = absolute(a[(4U * i) + k]);
                 if (largest < size) {
                     largest = size;
                     most = i;
                 }
             }
-            for (std::size_t i = k + 1U; i < 4U; i++) {
+            for (std::uint32_t i = k + 1U; i < 4U; i++) {
                 if (most == i) {
                     const double kept = b[k];
                     b[k] = b[i];
                     b[i] = kept;
-                    for (std::size_t j = k; j < 4U; j++) {
+                    for (std::uint32_t j = k; j < 4U; j++) {
                         const double entry = a[(4U * k) + j];
                         a[(4U * k) + j] = a[(4U * i) + j];
                         a[(4U * i) + j] = entry;
@@ -401,17 +403,17 @@ private:
                 }
             }
             a[(4U * k) + k] = ((a[(4U * k) + k] < 0.0) || (a[(4U * k) + k] > 0.0)) ? (a[(4U * k) + k]) : std::numeric_limits<double>::quiet_NaN();
-            for (std::size_t i = k + 1U; i < 4U; i++) {
+            for (std::uint32_t i = k + 1U; i < 4U; i++) {
                 const double factor = a[(4U * i) + k] / a[(4U * k) + k];
-                for (std::size_t j = k + 1U; j < 4U; j++) {
+                for (std::uint32_t j = k + 1U; j < 4U; j++) {
                     a[(4U * i) + j] = a[(4U * i) + j] - (factor * a[(4U * k) + j]);
                 }
                 b[i] = b[i] - (factor * b[k]);
             }
         }
-        for (std::size_t left = 4U; left > 0U; left--) {
-            const std::size_t k = left - 1U;
-            for (std::size_t j = k + 1U; j < 4U; j++) {
+        for (std::uint32_t left = 4U; left > 0U; left--) {
+            const std::uint32_t k = left - 1U;
+            for (std::uint32_t j = k + 1U; j < 4U; j++) {
                 b[k] = b[k] - (a[(4U * k) + j] * b[j]);
             }
             b[k] = b[k] / a[(4U * k) + k];

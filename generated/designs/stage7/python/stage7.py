@@ -68,10 +68,14 @@ class Status(IntEnum):
     """The deadline is over: u is 0 or that of the user-defined law."""
     GATED = 4
     """A reading was not believed: u by prediction alone; wins over all above."""
+    LATE = 5
+    """The deadline was put off, as a limit would have been exceeded."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
     """u is not finite."""
+    SOON = -4
+    """A deadline is too soon for the limits, or none keeps them."""
 
 class Control(NamedTuple):
     """Result of a step."""
