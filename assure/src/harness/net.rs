@@ -1,5 +1,5 @@
 //! A design of each kind, for what all of them must keep: the clock in samples with its observers, delays, disturbances and
-//! references, models, several inputs, axes, and the examples.
+//! references, models, several inputs, axes, deadlines in flight, and the examples.
 
 use std::fs;
 use std::path::Path;
@@ -16,19 +16,22 @@ pub fn designs() -> Vec<(String, Spec)> {
     all.extend(goldens::of_two_inputs());
     all.push(goldens::of_inputs());
     let named = all.into_iter().map(|spec| (spec.name(), spec));
-    named.chain(examples()).collect()
+    named
+        .chain(of_folder("flight", "tests/designs/flight"))
+        .chain(of_folder("example", "examples"))
+        .collect()
 }
 
-/// The designs in examples/, in the order of their names.
-fn examples() -> Vec<(String, Spec)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
-    let entries = fs::read_dir(folder).expect("the examples");
+/// The designs in a folder, in the order of their names, which begin with the word for its kind.
+fn of_folder(kind: &str, folder: &str) -> Vec<(String, Spec)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);
+    let entries = fs::read_dir(folder).expect("a folder of designs");
     let mut files: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
     files.retain(|path| path.extension().is_some_and(|own| own == "toml"));
     files.sort();
     let named = files.iter().map(|path| {
         let stem = path.file_stem().expect("a name").to_string_lossy();
-        (format!("example_{stem}"), of_file(path))
+        (format!("{kind}_{stem}"), of_file(path))
     });
     named.collect()
 }

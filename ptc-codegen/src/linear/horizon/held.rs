@@ -27,8 +27,11 @@ const MORE: usize = 4;
 /// Part of the first row below which a later one is 0.
 const ROUNDED: f64 = 1e-13;
 
-/// Samples after which a loop that has not contracted is given up.
-const LONGEST: usize = 1 << 14;
+/// Rows that are kept at most.
+const LONGEST: usize = 1 << 20;
+
+/// Operations after which a loop is given up that has not contracted, about a second.
+const WORK: usize = 1 << 28;
 
 impl Span {
     /// The span of `row` times the powers of `phi`; `None` where they do not contract.
@@ -39,7 +42,8 @@ impl Span {
         let spacing = (hint / 4.0).ceil().max(1.0).to_usize()?;
         let first: Vec<_> = (0..order).map(|i| i * spacing).collect();
         let mut length = (first[order - 1] + 1).max(spacing * 4);
-        loop {
+        let each = work(order);
+        while length <= LONGEST && each.saturating_mul(length) <= WORK {
             later(&mut all, phi, length + first[order - 1]);
             let chosen = chosen(&all, &first, length);
             if chosen.is_empty() {
@@ -54,11 +58,15 @@ impl Span {
                 return share.is_finite().then_some(Self { rows, share });
             }
             length *= 2;
-            if length > LONGEST {
-                return None;
-            }
         }
+        None
     }
+}
+
+/// Operations for a row: with each choice of the rows a system is solved, in each round in which one is taken.
+fn work(order: usize) -> usize {
+    let choices = (1..=order).fold(1, |all, i| all * (order + MORE - i + 1) / i);
+    choices.saturating_mul(order.pow(3)).saturating_mul(MORE + 2)
 }
 
 /// Adds rows up to number `last`. What deadbeat leaves of the first row is 0, but for rounding.
@@ -109,12 +117,16 @@ fn size(rows: &[Row], row: &[f64]) -> f64 {
         return 0.0;
     }
     let mut least = f64::INFINITY;
-    for count in 1..=row.len().min(rows.len()) {
+    // Fewer of them are needed where the rows do not span all columns.
+    for count in (1..=row.len().min(rows.len())).rev() {
         choose(rows.len(), count, 0, &mut Vec::new(), &mut |choice| {
             if let Some(factors) = factors(rows, choice, row) {
                 least = least.min(factors.iter().map(|factor| factor.abs()).sum());
             }
         });
+        if least.is_finite() {
+            break;
+        }
     }
     least
 }

@@ -1,0 +1,43 @@
+/*
+ * Self-test of the prescribed-time controller in_flight, for the target. DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --mu "exp(a=1)" --name in_flight --clock samples --A="[[0,1],[0,-5]]" --B="[0,40]" --C="[[1,0]]" --delay-law=predict --in-flight --disturbance constant --observer=stationary --disturbance-walk=2 --tau=0.3 --eps=0.01 --u-max=10 --poles=least-energy --sample-time=0.001 --delay=0.5 --sensor-step=1e-5 --selftest
+ * Version 0.1.0.
+ *
+ * 4 sets of parameters with 47 calls, 0 sets that init must refuse. The expected values were
+ * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
+ * operations are its own alone, so that a target has to give the same numbers.
+ *
+ * Outcomes of conditions that no input tried brings about are not exercised:
+ *   PTC_FINITE_F64(x2_on): never false in 920 calls.
+ *   PTC_FINITE_F64(d_on): never false in 920 calls.
+ *   2U < samples: `arm_for` is not called.
+ *   2U < samples: `arm_for` is not called.
+ *   samples < 301U: `arm_for` is not called.
+ *   samples < 301U: `arm_for` is not called.
+ *   PTC_FINITE_F64(n1): `assume` is not called.
+ *   PTC_FINITE_F64(n1): `assume` is not called.
+ *   PTC_FINITE_F64(n2): `assume` is not called.
+ *   PTC_FINITE_F64(n2): `assume` is not called.
+ *   PTC_FINITE_F64(d): `assume_disturbance` is not called.
+ *   PTC_FINITE_F64(d): `assume_disturbance` is not called.
+ *   PTC_FINITE_F64(u): `applied` is not called.
+ *   PTC_FINITE_F64(u): `applied` is not called.
+ */
+#ifndef IN_FLIGHT_SELFTEST_H
+#define IN_FLIGHT_SELFTEST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The number of failed checks: 0 if the controller works on this machine. It uses no heap, output
+ * or clock, and keeps no state. */
+uint32_t in_flight_selftest(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

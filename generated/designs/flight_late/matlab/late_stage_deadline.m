@@ -1,0 +1,7 @@
+function k = late_stage_deadline(self) %#codegen
+%LATE_STAGE_DEADLINE The tick at which the loop is to be at rest.
+%
+%   k = late_stage_deadline(self), with self from late_stage_init.
+
+k = uint32(mod(double(self.start) - double(uint32(mod(double(uint32(0)) - double(self.last), 4294967296))), 4294967296));
+end

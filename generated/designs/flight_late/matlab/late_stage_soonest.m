@@ -1,0 +1,162 @@
+function [samples, status] = late_stage_soonest(self) %#codegen
+%LATE_STAGE_SOONEST The fewest samples found, from the next call of `step` on, with which the law
+%keeps u and the states within their limits at every sample to rest, from the estimates as they are
+%predicted for the next tick, for sure. Give them to `arm_for`.
+%
+%   [samples, status] = late_stage_soonest(self), with self from late_stage_init.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to its limits; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%      4  gated: a reading was not believed, u by prediction alone; wins over all above
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+s1 = self.x1_hat + (0.001 * self.x2_hat);
+s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
+p1 = s2 + (3.3333333333333335e-7 * self.u2);
+s3 = self.x2_hat + (0.0006666666666666666 * self.d_hat);
+p2 = s3 + (0.0006666666666666666 * self.u2);
+p3 = self.d_hat;
+x1 = p1;
+x2 = p2;
+d = p3;
+flat1 = (1500000.0 * x1) + (750.0 * x2);
+flat2 = (1500.0 * x2) + (self.u1 + d);
+low = uint32(20);
+top = uint32(1073741825);
+kept = uint32(0);
+tried = uint32(21);
+for attempt = 0:63
+    least = (0.8999999999997589 * (-6.0)) + d;
+    most = 5.3999999999985535 + d;
+    within = pick(-least < most, -least, most);
+    fits = uint32(0);
+    if uint32(50) < tried
+        m = double(tried);
+        power1 = m + 1.0;
+        power2 = power1 * m;
+        power3 = power2 * (m - 1.0);
+        scaled2 = flat2 * power1;
+        w1 = ((3.0 * flat1) + scaled2) / power2;
+        w2 = (((-2.0) * flat1) - scaled2) / power3;
+        length = m - 51.0;
+        b0_c = (2.0 * w1) + (300.0 * w2);
+        b1_c = 6.0 * w2 * length;
+        b1 = b0_c + b1_c;
+        end11 = (2.8506787330316743 * w1) + (117.44796380090497 * w2);
+        end12 = (3.0475113122171944 * w1) + (145.85746606334843 * w2);
+        end13 = (2.9906485671191554 * w1) + (175.02805429864253 * w2);
+        end14 = (2.6800904977375564 * w1) + (204.95972850678734 * w2);
+        end15 = (2.1158371040723982 * w1) + (235.6524886877828 * w2);
+        end16 = (1.2978883861236803 * w1) + (267.10633484162895 * w2);
+        end17 = (0.22624434389140272 * w1) + (299.3212669683258 * w2);
+        if (least <= b0_c) ...
+            && (b0_c <= most) ...
+            && (least <= b1) ...
+            && (b1 <= most) ...
+            && (least <= end11) ...
+            && (end11 <= most) ...
+            && (least <= end12) ...
+            && (end12 <= most) ...
+            && (least <= end13) ...
+            && (end13 <= most) ...
+            && (least <= end14) ...
+            && (end14 <= most) ...
+            && (least <= end15) ...
+            && (end15 <= most) ...
+            && (least <= end16) ...
+            && (end16 <= most) ...
+            && (least <= end17) ...
+            && (end17 <= most) ...
+            && (abs((2.8054298642533926 * w1) + (111.58371040723979 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.583924302196364 * w1) + (85.00144425360725 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((1.9885945165034657 * w1) + (61.86959300518941 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.9380703330283167 * w1) + (105.39729178384643 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.395997187424203 * w1) + (77.20565274199532 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.8712027904432142 * w1) + (99.5000219686458 * w2)) <= 0.9850746268656713 * within)
+            fits = uint32(1);
+        end
+    else
+        m = double(tried);
+        power1 = m + 2.0;
+        power2 = power1 * (m + 1.0);
+        power3 = power2 * m;
+        power4 = power3 * (m - 1.0);
+        scaled2 = flat2 * power1;
+        w1 = ((4.0 * flat1) + scaled2) / power3;
+        w2 = (((-3.0) * flat1) - scaled2) / power4;
+        length = m - 21.0;
+        b0_c = (126.0 * w1) + (5040.0 * w2);
+        b1_c = ((6.0 * w1) + (492.0 * w2)) * length;
+        b2_l = length * length;
+        b2_c = 12.0 * w2 * b2_l;
+        b1 = b0_c + (0.16666666666666666 * b1_c);
+        s4 = b0_c + (0.3333333333333333 * b1_c);
+        b2 = s4 + (0.06666666666666667 * b2_c);
+        b3 = b0_c + (0.5 * b1_c) + (0.2 * b2_c);
+        b4 = b0_c + (0.6666666666666666 * b1_c) + (0.4 * b2_c);
+        s5 = b0_c + (0.8333333333333334 * b1_c);
+        b5 = s5 + (0.6666666666666666 * b2_c);
+        b6 = b0_c + b1_c + b2_c;
+        if (least <= b0_c) ...
+            && (b0_c <= most) ...
+            && (least <= b1) ...
+            && (b1 <= most) ...
+            && (least <= b2) ...
+            && (b2 <= most) ...
+            && (least <= b3) ...
+            && (b3 <= most) ...
+            && (least <= b4) ...
+            && (b4 <= most) ...
+            && (least <= b5) ...
+            && (b5 <= most) ...
+            && (least <= b6) ...
+            && (b6 <= most) ...
+            && (abs((119.99999999999996 * w1) + (4559.999999999999 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((92.75321716019634 * w1) + (2422.754466594877 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((67.8353765546998 * w1) + (1509.7849977027897 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((114.21150278293138 * w1) + (3629.3877551020414 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((84.39364430426792 * w1) + (2085.179889377806 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((108.11363033997543 * w1) + (3196.9332337421392 * w2)) <= 0.9850746268656713 * within)
+            fits = uint32(1);
+        end
+    end
+    if fits == uint32(1)
+        kept = tried;
+        top = tried;
+    else
+        low = tried;
+    end
+    gap = top - low;
+    if gap < uint32(2)
+        break;
+    end
+    half = bitshift(gap, -1);
+    if low < half
+        tried = low + low;
+    else
+        tried = low + half;
+    end
+end
+if isfinite(flat1) && isfinite(flat2)
+    if uint32(0) < kept
+        samples = kept + uint32(1);
+        status = int32(0);
+    else
+        status = int32(-4);
+    end
+else
+    status = int32(-3);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end

@@ -1,0 +1,253 @@
+function [u, status, self] = late_stage_step(self, k, y) %#codegen
+%LATE_STAGE_STEP u from tick `k`, which may wrap, and what is measured, y = (x1, ...). Call it once
+%for each tick.
+%
+%   [u, status, self] = late_stage_step(self, k, y), with self from late_stage_init. Keep self: it
+%   is what the next call needs.
+%
+%   status (int32); on a negative one what is given is 0, and self is as it was:
+%      0  tracking
+%      1  hold: time-to-go held at eps, the deadline is near or over, u is valid
+%      2  saturated: u clipped to its limits; wins over 1 and 3
+%      3  after: the deadline is over, u is 0 or that of the user-defined law
+%      4  gated: a reading was not believed, u by prediction alone; wins over all above
+%     -2  an argument is not finite, or time lies before the start, or a tick is not whole
+%     -3  u not finite
+
+u = 0.0;
+k = double(k);
+if ~(isfinite(k) && (k == floor(k)))
+    status = int32(-2);
+    return;
+end
+k = uint32(mod(k, 4294967296));
+y = double(y);
+if ~isfinite(y(1))
+    status = int32(-2);
+    return;
+end
+elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
+
+% Predict.
+s1 = self.x1_hat + (0.001 * self.x2_hat);
+s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
+p1 = s2 + (3.3333333333333335e-7 * self.u2);
+s3 = self.x2_hat + (0.0006666666666666666 * self.d_hat);
+p2 = s3 + (0.0006666666666666666 * self.u2);
+p3 = self.d_hat;
+
+% Correct by what is measured.
+if self.seen == uint32(0)
+    base = y(1);
+    miss = 0.0;
+else
+    base = p1;
+    miss = y(1) - p1;
+end
+left_o = self.round - elapsed;
+o0 = pick(double(left_o) < 30.0, 30.0, double(left_o));
+r0 = 1.0 / o0;
+r1 = 1.0 / (o0 - 1.0);
+r2 = 1.0 / (o0 - 2.0);
+l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
+l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
+l3 = 36000000.0 * r0 * r1 * r2;
+x1 = base + (l1 * miss);
+x2 = p2 + (l2 * miss);
+d = p3 + (l3 * miss);
+
+% The deadline that keeps the limits.
+last_now = self.last;
+to_rest = self.last - elapsed;
+ahead = to_rest - uint32(1);
+flat1 = (1500000.0 * x1) + (750.0 * x2);
+flat2 = (1500.0 * x2) + (self.u1 + d);
+low = ahead - uint32(1);
+top = uint32(1073741825);
+kept = uint32(0);
+tried = ahead;
+part = 0.9999999999998661;
+for attempt = 0:63
+    least = ((-6.0) * part) + d;
+    most = (6.0 * part) + d;
+    within = pick(-least < most, -least, most);
+    fits = uint32(0);
+    if uint32(50) < tried
+        m = double(tried);
+        power1 = m + 1.0;
+        power2 = power1 * m;
+        power3 = power2 * (m - 1.0);
+        scaled2 = flat2 * power1;
+        w1 = ((3.0 * flat1) + scaled2) / power2;
+        w2 = (((-2.0) * flat1) - scaled2) / power3;
+        length = m - 51.0;
+        b0_c = (2.0 * w1) + (300.0 * w2);
+        b1_c = 6.0 * w2 * length;
+        b1 = b0_c + b1_c;
+        end11 = (2.8506787330316743 * w1) + (117.44796380090497 * w2);
+        end12 = (3.0475113122171944 * w1) + (145.85746606334843 * w2);
+        end13 = (2.9906485671191554 * w1) + (175.02805429864253 * w2);
+        end14 = (2.6800904977375564 * w1) + (204.95972850678734 * w2);
+        end15 = (2.1158371040723982 * w1) + (235.6524886877828 * w2);
+        end16 = (1.2978883861236803 * w1) + (267.10633484162895 * w2);
+        end17 = (0.22624434389140272 * w1) + (299.3212669683258 * w2);
+        if (least <= b0_c) ...
+            && (b0_c <= most) ...
+            && (least <= b1) ...
+            && (b1 <= most) ...
+            && (least <= end11) ...
+            && (end11 <= most) ...
+            && (least <= end12) ...
+            && (end12 <= most) ...
+            && (least <= end13) ...
+            && (end13 <= most) ...
+            && (least <= end14) ...
+            && (end14 <= most) ...
+            && (least <= end15) ...
+            && (end15 <= most) ...
+            && (least <= end16) ...
+            && (end16 <= most) ...
+            && (least <= end17) ...
+            && (end17 <= most) ...
+            && (abs((2.8054298642533926 * w1) + (111.58371040723979 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.583924302196364 * w1) + (85.00144425360725 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((1.9885945165034657 * w1) + (61.86959300518941 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.9380703330283167 * w1) + (105.39729178384643 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.395997187424203 * w1) + (77.20565274199532 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((2.8712027904432142 * w1) + (99.5000219686458 * w2)) <= 0.9850746268656713 * within)
+            fits = uint32(1);
+        end
+    elseif uint32(20) < tried
+        m = double(tried);
+        power1 = m + 2.0;
+        power2 = power1 * (m + 1.0);
+        power3 = power2 * m;
+        power4 = power3 * (m - 1.0);
+        scaled2 = flat2 * power1;
+        w1 = ((4.0 * flat1) + scaled2) / power3;
+        w2 = (((-3.0) * flat1) - scaled2) / power4;
+        length = m - 21.0;
+        b0_c = (126.0 * w1) + (5040.0 * w2);
+        b1_c = ((6.0 * w1) + (492.0 * w2)) * length;
+        b2_l = length * length;
+        b2_c = 12.0 * w2 * b2_l;
+        b1 = b0_c + (0.16666666666666666 * b1_c);
+        s4 = b0_c + (0.3333333333333333 * b1_c);
+        b2 = s4 + (0.06666666666666667 * b2_c);
+        b3 = b0_c + (0.5 * b1_c) + (0.2 * b2_c);
+        b4 = b0_c + (0.6666666666666666 * b1_c) + (0.4 * b2_c);
+        s5 = b0_c + (0.8333333333333334 * b1_c);
+        b5 = s5 + (0.6666666666666666 * b2_c);
+        b6 = b0_c + b1_c + b2_c;
+        if (least <= b0_c) ...
+            && (b0_c <= most) ...
+            && (least <= b1) ...
+            && (b1 <= most) ...
+            && (least <= b2) ...
+            && (b2 <= most) ...
+            && (least <= b3) ...
+            && (b3 <= most) ...
+            && (least <= b4) ...
+            && (b4 <= most) ...
+            && (least <= b5) ...
+            && (b5 <= most) ...
+            && (least <= b6) ...
+            && (b6 <= most) ...
+            && (abs((119.99999999999996 * w1) + (4559.999999999999 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((92.75321716019634 * w1) + (2422.754466594877 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((67.8353765546998 * w1) + (1509.7849977027897 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((114.21150278293138 * w1) + (3629.3877551020414 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((84.39364430426792 * w1) + (2085.179889377806 * w2)) <= 0.9850746268656713 * within) ...
+            && (abs((108.11363033997543 * w1) + (3196.9332337421392 * w2)) <= 0.9850746268656713 * within)
+            fits = uint32(1);
+        end
+    elseif (abs(((-0.025974025974025976) * flat1) - (0.2857142857142857 * flat2)) <= 0.9850746268656713 * within) ...
+        && (abs(((-0.0012475444042476065) * flat1) - (0.08276232337733669 * flat2)) <= 0.9850746268656713 * within) ...
+        && (abs((0.0035664936491730252 * flat1) - (0.02768331367963576 * flat2)) <= 0.9850746268656713 * within) ...
+        && (abs(((-0.012577404043081223) * flat1) - (0.18287834614365228 * flat2)) <= 0.9850746268656713 * within) ...
+        && (abs((0.000902126332826074 * flat1) - (0.060363489673773814 * flat2)) <= 0.9850746268656713 * within) ...
+        && (abs(((-0.007827317130259085) * flat1) - (0.14320479414568998 * flat2)) <= 0.9850746268656713 * within)
+        fits = uint32(1);
+    end
+    if fits == uint32(1)
+        kept = tried;
+        top = tried;
+    elseif uint32(20) < tried
+        low = tried;
+    else
+        low = uint32(20);
+    end
+    gap = top - low;
+    if gap < uint32(2)
+        break;
+    end
+    half = bitshift(gap, -1);
+    if low < half
+        tried = low + low;
+    else
+        tried = low + half;
+    end
+    part = 0.8999999999997589;
+end
+if (ahead < kept) && (elapsed < uint32(2147483648))
+    last_now = (elapsed + kept) + uint32(1);
+end
+late = uint32(0);
+if self.last < last_now
+    late = uint32(1);
+end
+left = last_now - elapsed;
+s6 = double(left) - 1.0;
+m0 = pick(s6 < 20.0, 20.0, s6);
+if 50.0 < m0
+    % The exact law in samples.
+    z1 = ((-9000000.0) * x1) - (4500.0 * x2);
+    z2 = ((-6000.0) * x2) - (4.0 * (self.u1 + d));
+    v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+else
+    % The law of least energy to the end.
+    m1 = pick(m0 < 2.0, 2.0, m0);
+    y1 = ((-18000000.0) * x1) - (9000.0 * x2);
+    y2 = ((-9000.0) * x2) - (6.0 * (self.u1 + d));
+    v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+end
+if ~isfinite(v)
+    status = int32(-3);
+    return;
+end
+if 6.0 < v
+    u_now = 6.0;
+elseif v < -6.0
+    u_now = -6.0;
+else
+    u_now = v;
+end
+self.u2 = self.u1;
+self.u1 = u_now;
+self.last = last_now;
+self.x1_hat = x1;
+self.x2_hat = x2;
+self.d_hat = d;
+self.seen = uint32(1);
+if (6.0 < v) || (v < -6.0)
+    u = u_now;
+    status = int32(2);
+elseif double(left) - 1.0 <= 20.0
+    u = u_now;
+    status = int32(1);
+elseif late == uint32(1)
+    u = u_now;
+    status = int32(5);
+else
+    u = u_now;
+    status = int32(0);
+end
+end
+
+function r = pick(condition, yes, no)
+if condition
+    r = yes;
+else
+    r = no;
+end
+end
