@@ -64,6 +64,7 @@ fn errors_say_what_is_wrong() {
         (Error::Param, "a parameter is outside its domain"),
         (Error::Input, "x or t is not finite, or t is before t0"),
         (Error::Range, "u is not finite"),
+        (Error::Soon, "no deadline so soon keeps the limits"),
     ] {
         assert_eq!(error.to_string(), text);
         assert!(error.source().is_none());

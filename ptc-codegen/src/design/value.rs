@@ -7,7 +7,7 @@ use super::reader::Reader;
 use super::statement::Word;
 use super::template;
 use crate::diagnostic::{LARGE, Place};
-use crate::keys::KeyInfo;
+use crate::keys::{EVENT_KEYS, KeyInfo};
 use crate::limits::ITEMS;
 use crate::parameter::Fixed;
 use crate::syntax::{Argument, Node, Value, number, parse};
@@ -119,7 +119,7 @@ impl Reader<'_> {
         match toml.kind {
             Kind::Text(text) => self.text(key, &text, toml.range),
             Kind::Number => self.number(key, toml.range),
-            Kind::Boolean if KeyInfo::find(key).is_some_and(KeyInfo::is_switch) => {
+            Kind::Boolean if is_switch(key) => {
                 let word = self.text[toml.range.clone()].to_owned();
                 Some(Node { value: Value::Word(word), place: (self.place)(toml.range) })
             }
@@ -203,4 +203,15 @@ pub(super) fn shorten(text: &str) -> String {
         None if line.len() < text.len() => format!("{line}..."),
         None => text.to_owned(),
     }
+}
+
+/// Returns true if the value of a key is on or off.
+fn is_switch(key: &str) -> bool {
+    let of_event = |name: &str| EVENT_KEYS.iter().find(|info| info.key == name);
+    let event = key.strip_prefix("event[").and_then(|rest| rest.split_once("]."));
+    let info = match event {
+        Some((_, name)) => of_event(name),
+        None => KeyInfo::find(key),
+    };
+    info.is_some_and(KeyInfo::is_switch)
 }

@@ -50,6 +50,26 @@ fn moves_follow_one_another() {
 }
 
 #[test]
+fn arms_start_the_deadline_again() {
+    let folder = support::folder("events_arm");
+    let design = format!(
+        "{STAGE}[params]\ntau = 0.8\neps = 0\nu_max = 6\n[[event]]\nat = 0.4\narm = true\n"
+    );
+    let (code, csv, told) = simulate(&folder, &design, &[]);
+    assert_eq!(code, Some(0), "{told}");
+    let (again, by_flag, told) = simulate(
+        &folder,
+        &format!("{STAGE}[params]\ntau = 0.8\neps = 0\nu_max = 6\n"),
+        &["--arm-at", "0.4"],
+    );
+    assert_eq!(again, Some(0), "{told}");
+    assert_eq!(csv, by_flag);
+    let rows = rows(&csv);
+    let last = rows.last().expect("a sample");
+    assert!((last.0 - 1.2).abs() < 1e-9 && last.1.abs() < 1e-9, "{last:?}");
+}
+
+#[test]
 fn kicks_are_forces_for_a_time() {
     let folder = support::folder("events_kick");
     let design = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\npoles = [-4, -5]\n\

@@ -296,6 +296,7 @@ fn the_template_tells_every_key_and_is_a_design() {
 #[cfg(feature = "lab")]
 #[test]
 fn the_template_tells_what_verify_reads() {
+    use ptc_codegen::keys::EVENT_KEYS;
     use ptc_codegen::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 
     let text = design::template(None);
@@ -314,6 +315,8 @@ fn the_template_tells_what_verify_reads() {
         tables.lines().filter(|line| line.starts_with('[') || told(line)).collect();
     // An objective has the keys of its bound.
     let of_others = ["upsilon", "error", "h", "low", "high"].map(|key| format!("# {key} = "));
+    let tables = kept.iter().position(|line| line.contains("[[event]]")).expect("events");
+    assert!(kept.len() > tables + EVENT_KEYS.len(), "{text}");
     kept.retain(|line| !of_others.iter().any(|key| line.starts_with(key)));
     let lines: Vec<_> = kept.iter().map(|line| line.trim_start_matches("# ")).collect();
     let top = "n = 1\nmu = \"exp(a=1)\"\n[plant]\nf = \"gust\"\ngust = [-1, 1]\n[disturbance]\n";

@@ -10,18 +10,11 @@
  * Outcomes of conditions that no input tried brings about are not exercised:
  *   PTC_FINITE_F64(x2_on): never false in 920 calls.
  *   PTC_FINITE_F64(d_on): never false in 920 calls.
- *   2U < samples: `arm_for` is not called.
- *   2U < samples: `arm_for` is not called.
- *   samples < 301U: `arm_for` is not called.
- *   samples < 301U: `arm_for` is not called.
- *   PTC_FINITE_F64(n1): `assume` is not called.
- *   PTC_FINITE_F64(n1): `assume` is not called.
- *   PTC_FINITE_F64(n2): `assume` is not called.
- *   PTC_FINITE_F64(n2): `assume` is not called.
- *   PTC_FINITE_F64(d): `assume_disturbance` is not called.
- *   PTC_FINITE_F64(d): `assume_disturbance` is not called.
- *   PTC_FINITE_F64(u): `applied` is not called.
- *   PTC_FINITE_F64(u): `applied` is not called.
+ *   arm_for: a function that is not called here.
+ *   deadline: a function that is not called here.
+ *   assume: a function that is not called here.
+ *   assume_disturbance: a function that is not called here.
+ *   applied: a function that is not called here.
  */
 #ifndef IN_FLIGHT_SELFTEST_H
 #define IN_FLIGHT_SELFTEST_H

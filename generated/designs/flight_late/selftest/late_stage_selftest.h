@@ -10,32 +10,13 @@
  * Outcomes of conditions that no input tried brings about are not exercised:
  *   elapsed < 2147483648U: never false in 915 calls.
  *   m0 < 2.0: never true in 915 calls.
- *   2U < samples: `arm_for` is not called.
- *   2U < samples: `arm_for` is not called.
- *   samples < 2147483649U: `arm_for` is not called.
- *   samples < 2147483649U: `arm_for` is not called.
- *   elapsed < self->round: `arm_for` is not called.
- *   elapsed < self->round: `arm_for` is not called.
- *   -least < most: `soonest` is not called.
- *   -least < most: `soonest` is not called.
- *   low < top: `soonest` is not called.
- *   low < top: `soonest` is not called.
- *   PTC_FINITE_F64(flat1): `soonest` is not called.
- *   PTC_FINITE_F64(flat1): `soonest` is not called.
- *   PTC_FINITE_F64(flat2): `soonest` is not called.
- *   PTC_FINITE_F64(flat2): `soonest` is not called.
- *   0U < kept: `soonest` is not called.
- *   0U < kept: `soonest` is not called.
- *   PTC_FINITE_F64(moved): `move` is not called.
- *   PTC_FINITE_F64(moved): `move` is not called.
- *   PTC_FINITE_F64(n1): `assume` is not called.
- *   PTC_FINITE_F64(n1): `assume` is not called.
- *   PTC_FINITE_F64(n2): `assume` is not called.
- *   PTC_FINITE_F64(n2): `assume` is not called.
- *   PTC_FINITE_F64(d): `assume_disturbance` is not called.
- *   PTC_FINITE_F64(d): `assume_disturbance` is not called.
- *   PTC_FINITE_F64(u): `applied` is not called.
- *   PTC_FINITE_F64(u): `applied` is not called.
+ *   arm_for: a function that is not called here.
+ *   soonest: a function that is not called here.
+ *   deadline: a function that is not called here.
+ *   move: a function that is not called here.
+ *   assume: a function that is not called here.
+ *   assume_disturbance: a function that is not called here.
+ *   applied: a function that is not called here.
  */
 #ifndef LATE_STAGE_SELFTEST_H
 #define LATE_STAGE_SELFTEST_H

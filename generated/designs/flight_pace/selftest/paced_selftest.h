@@ -12,26 +12,10 @@
  *   below < 3U: never true in 1461 calls.
  *   low < top: never false in 1461 calls.
  *   elapsed < 2147483648U: never false in 1461 calls.
- *   2U < samples: `arm_for` is not called.
- *   2U < samples: `arm_for` is not called.
- *   samples < 2147483649U: `arm_for` is not called.
- *   samples < 2147483649U: `arm_for` is not called.
- *   PTC_FINITE_F64(x[0]): `soonest` is not called.
- *   PTC_FINITE_F64(x[0]): `soonest` is not called.
- *   PTC_FINITE_F64(x[1]): `soonest` is not called.
- *   PTC_FINITE_F64(x[1]): `soonest` is not called.
- *   low < top: `soonest` is not called.
- *   low < top: `soonest` is not called.
- *   PTC_FINITE_F64(flat1): `soonest` is not called.
- *   PTC_FINITE_F64(flat1): `soonest` is not called.
- *   PTC_FINITE_F64(flat2): `soonest` is not called.
- *   PTC_FINITE_F64(flat2): `soonest` is not called.
- *   PTC_FINITE_F64(flat3): `soonest` is not called.
- *   PTC_FINITE_F64(flat3): `soonest` is not called.
- *   0U < kept: `soonest` is not called.
- *   0U < kept: `soonest` is not called.
- *   PTC_FINITE_F64(u): `applied` is not called.
- *   PTC_FINITE_F64(u): `applied` is not called.
+ *   arm_for: a function that is not called here.
+ *   soonest: a function that is not called here.
+ *   deadline: a function that is not called here.
+ *   applied: a function that is not called here.
  */
 #ifndef PACED_SELFTEST_H
 #define PACED_SELFTEST_H

@@ -26,7 +26,7 @@ trait Design {
 macro_rules! status {
     ($module:ident, $status:expr) => {{
         use $module::Status;
-        match $status { Status::Ok => 0, Status::Hold => 1, Status::Saturated => 2, Status::After => 3, Status::Gated => 4 }
+        match $status { Status::Ok => 0, Status::Hold => 1, Status::Saturated => 2, Status::After => 3, Status::Gated => 4, Status::Late => 5 }
     }};
 }
 macro_rules! outcome {
@@ -37,6 +37,7 @@ macro_rules! outcome {
             Err(Error::Param) => Err(-1),
             Err(Error::Input) => Err(-2),
             Err(Error::Range) => Err(-3),
+            Err(Error::Soon) => Err(-4),
         }
     }};
 }

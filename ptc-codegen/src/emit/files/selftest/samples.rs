@@ -21,18 +21,22 @@ const EXPECTED: [&str; 2] = [
 pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<File> {
     let name = spec.name();
     let numbers = Numbers::new(spec, code);
-    let about = About {
-        sessions: test.sessions.len(),
-        calls: test.sessions.iter().map(|session| session.calls.len()).sum(),
-        refused: test.refused.len(),
-        subject: "values were",
-        expected: &EXPECTED.map(str::to_owned),
-        unreachable: test
-            .untaken
-            .iter()
-            .map(|one| (c::written(code, &one.condition), one.reason.clone()))
-            .collect(),
-    };
+    let about =
+        About {
+            sessions: test.sessions.len(),
+            calls: test.sessions.iter().map(|session| session.calls.len()).sum(),
+            refused: test.refused.len(),
+            subject: "values were",
+            expected: &EXPECTED.map(str::to_owned),
+            unreachable: test
+                .untaken
+                .iter()
+                .map(|one| (c::written(code, &one.condition), one.reason.clone()))
+                .chain(test.uncalled.iter().map(|name| {
+                    ((*name).to_owned(), "a function that is not called here".to_owned())
+                }))
+                .collect(),
+        };
     let mut first = 0;
     let session = |session: &Session| {
         let (from, count) = (first, session.calls.len());
