@@ -8,7 +8,7 @@ use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::record::{self, Asked, Row, instant};
-use ptc_codegen::simulate::{Failure, Change, Event, Loop, Values, grid, tracking_error};
+use ptc_codegen::simulate::{Change, Event, Failure, Loop, Values, grid, tracking_error};
 use ptc_codegen::syntax::number;
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;

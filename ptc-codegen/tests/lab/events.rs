@@ -111,8 +111,8 @@ fn wrong_events_are_refused() {
         assert!(told.contains(message) && told.matches("error").count() == 1, "{event}: {told}");
     }
     let refuses = format!(
-        "{}[params]\ntau = 0.8\neps = 0\nu_max = 6\n[[event]]\nat = 0.4\nmove = 1\ntau = 0.05\n",
-        format!("{STAGE}late = \"refuse\"\n")
+        "{STAGE}late = \"refuse\"\n[params]\ntau = 0.8\neps = 0\nu_max = 6\n\
+         [[event]]\nat = 0.4\nmove = 1\ntau = 0.05\n"
     );
     let (code, _, told) = simulate(&folder, &refuses, &[]);
     assert!(
