@@ -66,13 +66,13 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_E504B541_HPP
-#define PTC_EXP_SUM2_E504B541_HPP
+#ifndef PTC_EXP_SUM2_5E0624C5_HPP
+#define PTC_EXP_SUM2_5E0624C5_HPP
 
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 /* What this file requires of its compiler. */

@@ -89,13 +89,14 @@
  * Operations of one step, without input checks and clipping: 29 additions or comparisons, 52
  *       multiplications, 5 divisions, 4 function calls.
  */
-#ifndef BARRIER_ARM_8DC631AA_HPP
-#define BARRIER_ARM_8DC631AA_HPP
+#ifndef BARRIER_ARM_9869D5D8_HPP
+#define BARRIER_ARM_9869D5D8_HPP
 
 #include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 /* What this file requires of its compiler. */

@@ -80,12 +80,13 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_5460B787_HPP
-#define TANK_5460B787_HPP
+#ifndef TANK_C1A3FA2C_HPP
+#define TANK_C1A3FA2C_HPP
 
 #include <array>
 #include <cfloat>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 /* What this file requires of its compiler. */

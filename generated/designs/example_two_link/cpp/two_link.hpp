@@ -84,13 +84,14 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_43EC4754_HPP
-#define TWO_LINK_43EC4754_HPP
+#ifndef TWO_LINK_66025FC6_HPP
+#define TWO_LINK_66025FC6_HPP
 
 #include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 /* What this file requires of its compiler. */

@@ -54,12 +54,11 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef LATE_STAGE_50580DAD_HPP
-#define LATE_STAGE_50580DAD_HPP
+#ifndef LATE_STAGE_9652B2A6_HPP
+#define LATE_STAGE_9652B2A6_HPP
 
 #include <array>
 #include <cfloat>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 

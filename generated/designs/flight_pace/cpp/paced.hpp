@@ -50,12 +50,11 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef PACED_084168C1_HPP
-#define PACED_084168C1_HPP
+#ifndef PACED_28932368_HPP
+#define PACED_28932368_HPP
 
 #include <array>
 #include <cfloat>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 

@@ -46,12 +46,11 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef TOO_SOON_8BD1EBB4_HPP
-#define TOO_SOON_8BD1EBB4_HPP
+#ifndef TOO_SOON_A0123E7D_HPP
+#define TOO_SOON_A0123E7D_HPP
 
 #include <array>
 #include <cfloat>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 

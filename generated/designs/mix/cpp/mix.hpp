@@ -85,13 +85,14 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_155D3B3F_HPP
-#define MIX_155D3B3F_HPP
+#ifndef MIX_480BBCC7_HPP
+#define MIX_480BBCC7_HPP
 
 #include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 /* What this file requires of its compiler. */

@@ -77,13 +77,14 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_A2C4EA38_HPP
-#define PTC_RATIONAL_INPUTS4_A2C4EA38_HPP
+#ifndef PTC_RATIONAL_INPUTS4_04B3899D_HPP
+#define PTC_RATIONAL_INPUTS4_04B3899D_HPP
 
 #include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 /* What this file requires of its compiler. */

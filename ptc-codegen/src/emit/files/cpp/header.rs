@@ -24,14 +24,17 @@ impl Cpp<'_> {
         for (header, needed) in [
             ("cfloat", true),
             ("cmath", code.functions.iter().any(calls_library) || init_calls(code)),
-            ("cstddef", code.axes().is_some() || code.counts()),
+            ("cstddef", code.axes().is_some()),
             (
                 "cstdint",
-                code.functions
-                    .iter()
-                    .flat_map(|function| &function.arguments)
-                    .chain(&code.fields)
-                    .any(|variable| variable.shape == Shape::Count),
+                code.counts()
+                    || code.axes().is_some()
+                    || code
+                        .functions
+                        .iter()
+                        .flat_map(|function| &function.arguments)
+                        .chain(&code.fields)
+                        .any(|variable| variable.shape == Shape::Count),
             ),
             ("limits", true),
         ] {
