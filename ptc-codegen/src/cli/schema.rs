@@ -11,7 +11,7 @@ Examples:
   ptc-codegen schema > ptc-design.schema.json
   #:schema ./ptc-design.schema.json     first line of a design, for editors with Even Better TOML";
 
-/// Where the schema of the newest version is found; `docs/design.schema.json` is its copy.
+/// Address of the schema of the newest version; `docs/design.schema.json` is its copy.
 const ID: &str = "https://raw.githubusercontent.com/ptc-codegen/ptc/main/docs/design.schema.json";
 
 /// The schema as text.

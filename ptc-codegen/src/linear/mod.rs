@@ -32,7 +32,7 @@ pub use following::Following;
 pub(crate) use horizon::{Bound, Curve, Horizon, Plan, Signal, Stretch};
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
-pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, zero_order_hold};
+pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, power_of_period, zero_order_hold};
 pub(crate) use poles::sampled_poles;
 pub use roots::roots;
 pub(crate) use schedule::{Demand, Unscheduled};

@@ -72,13 +72,9 @@ impl Pair {
 
     /// Phi in the units of the states, for a period `h`.
     pub(crate) fn in_units(&self, h: &BigRational) -> Matrix {
-        let factor = |power: i64| {
-            let size = usize::try_from(power.unsigned_abs()).unwrap_or(0);
-            let size = num_traits::pow(h.clone(), size);
-            if power < 0 { BigRational::one() / size } else { size }
+        let entry = |i: usize, j: usize| {
+            self.phi.at(i, j) * power_of_period(h, self.powers[i] - self.powers[j])
         };
-        let entry =
-            |i: usize, j: usize| self.phi.at(i, j) * factor(self.powers[i] - self.powers[j]);
         Matrix::new(self.order(), self.order(), entry)
     }
 
@@ -215,6 +211,13 @@ pub(crate) fn zero_order_hold(
     let row = |i: usize| (0..n).map(|j| pair.phi.at(i, j).clone()).collect();
     let older = pair.gamma.iter().zip(&pair.newer).map(|(all, newer)| all - newer).collect();
     Some(ZeroOrderHold { phi: (0..n).map(row).collect(), older, newer: pair.newer })
+}
+
+/// h to a power of either sign.
+pub(crate) fn power_of_period(h: &BigRational, power: i64) -> BigRational {
+    let size = usize::try_from(power.unsigned_abs()).unwrap_or(0);
+    let size = num_traits::pow(h.clone(), size);
+    if power < 0 { BigRational::one() / size } else { size }
 }
 
 /// k!.

@@ -1,10 +1,10 @@
-//! What may change while a controller in samples runs, and its answer to a deadline that limits do not allow.
+//! Changes while a controller in samples runs, and its answer to a deadline that limits do not allow.
 
-use num_traits::{ToPrimitive, Zero};
+use num_traits::ToPrimitive;
 
 use super::{Sampled, Spec};
-use crate::algebra::{BigRational, integer};
-use crate::linear::{Horizon, Plan};
+use crate::algebra::BigRational;
+use crate::linear::{Horizon, Plan, power_of_period};
 use crate::parameter::{Fixed, Parameter, Precision};
 
 /// A controller whose deadline may change while it runs.
@@ -55,9 +55,13 @@ impl Flight {
 }
 
 impl Sampled {
-    /// Returns the bounds from which a deadline is known to keep the limits; `None` where there is no such plan of this
-    /// law.
+    /// Returns the bounds from which a deadline is known to keep the limits; `None` for plants that are not one chain,
+    /// with a reference, whose future decides u, and for laws whose u has no closed form to its end.
     pub(crate) fn horizon(&self, spec: &Spec) -> Option<Horizon> {
+        let is_chain = self.linear.is_none() && spec.axes.is_none() && !spec.has_model();
+        if !is_chain || spec.reference.is_some() {
+            return None;
+        }
         let state_max = |i| self.flight.as_ref().and_then(|own| own.state_max(i));
         let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
         let exponents = self.exponents.as_ref().filter(|own| own.consecutive)?;
@@ -69,7 +73,7 @@ impl Sampled {
         let back = s.inverse()?;
         let limited = (0..spec.n).filter(|i| state_max(*i).is_some());
         let states = limited.map(|i| {
-            let unit = power(h, planned.pair.powers[i]);
+            let unit = power_of_period(h, planned.pair.powers[i]);
             (i, back.rows()[i].iter().map(|own| own * &unit).collect())
         });
         Horizon::new(&Plan {
@@ -88,7 +92,7 @@ impl Sampled {
         let (s, _) = planned.pair.flat()?;
         let s = s.times(&planned.reach);
         let column = |j: usize| {
-            let unit = power(h, -planned.powers[j]);
+            let unit = power_of_period(h, -planned.powers[j]);
             s.rows().iter().map(|row| (&row[j] * &unit).to_f64()).collect()
         };
         (0..planned.powers.len()).map(column).collect()
@@ -111,11 +115,4 @@ impl Sampled {
         let exact = if precision == Precision::F32 { 1 << 24 } else { MOST };
         if samples < f64::from(exact) { samples.floor().to_u32().unwrap_or(exact) } else { exact }
     }
-}
-
-/// h to a power of either sign.
-fn power(h: &BigRational, power: i64) -> BigRational {
-    let size = usize::try_from(power.unsigned_abs()).unwrap_or(0);
-    let own = num_traits::pow(h.clone(), size);
-    if power < 0 && !own.is_zero() { integer(1) / own } else { own }
 }

@@ -51,6 +51,9 @@ use crate::linear::Schedule;
 /// rounding of the law in double precision (growing with n) leaves the accuracy that is promised.
 pub const MAX_ORDER: usize = 16;
 
+/// Largest number of samples to a deadline.
+pub const MAX_SAMPLES: u32 = 1 << 31;
+
 /// Largest number of rates of `exp_sum`.
 pub const MAX_RATES: usize = 16;
 

@@ -41,7 +41,7 @@ pub struct Sampled {
     pub end: Option<EndLaw>,
     /// The observer; `None` if every state is measured.
     pub observer: Option<Observer>,
-    /// What may change while it runs; `None` where its deadline is that of `arm`.
+    /// Changes while it runs; `None` where its deadline is that of `arm`.
     pub flight: Option<Flight>,
     /// True if the law of the delay follows from the poles because it was left open.
     pub leaves_delay_law: bool,

@@ -21,7 +21,7 @@ pub trait Control {
     fn step(&mut self, t: f64, measured: &[f64]) -> (&[f64], Status);
 
     /// Calls another function, by its name, with its arguments in their order; `None` where there is none.
-    fn told(&mut self, _function: &str, _given: &[&[f64]]) -> Option<Status> {
+    fn call(&mut self, _function: &str, _given: &[&[f64]]) -> Option<Status> {
         None
     }
 

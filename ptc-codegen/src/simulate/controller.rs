@@ -92,7 +92,7 @@ impl Control for Controller {
         (self.instance.result(self.emitted.step), status.into())
     }
 
-    fn told(&mut self, function: &str, given: &[&[f64]]) -> Option<Status> {
+    fn call(&mut self, function: &str, given: &[&[f64]]) -> Option<Status> {
         let own = self.emitted.code.function(function)?;
         let handle = self.instance.handle(own.name);
         Some(self.instance.perform(handle, given).into())

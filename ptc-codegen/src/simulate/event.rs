@@ -1,4 +1,4 @@
-//! Events of a run: what happens at a time after t0, from the tables `[[event]]` of a design.
+//! Events of a simulated run at times after t0, from the tables `[[event]]` of a design.
 //!
 //! ```toml
 //! [[event]]
@@ -16,15 +16,15 @@ use crate::diagnostic::{Diagnostic, Diagnostics, near_miss, shorten};
 use crate::expression::constant::real;
 use crate::keys::EVENT_KEYS;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Entry, Spec};
+use crate::request::{Entry, MAX_SAMPLES, Spec};
 use crate::syntax::{Node, Value};
 
-/// What happens at a time.
+/// Event of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
     /// Time after t0 in s; it happens at the next sample.
     pub at: f64,
-    /// What happens.
+    /// Its action.
     pub change: Change,
 }
 
@@ -200,8 +200,9 @@ impl Reader<'_> {
             return None;
         }
         let period = self.spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number)?;
-        let samples = (tau / period).round().to_integer().to_u32().filter(|own| *own > 0);
-        let help = "give at least a sample, and at most 2^32";
+        let samples = (tau / period).round().to_integer().to_u32();
+        let samples = samples.filter(|own| (1..=MAX_SAMPLES).contains(own));
+        let help = "give at least one sample, and at most 2^31";
         self.needs(table, "tau", node, samples.is_some(), help);
         samples.map(Change::Deadline)
     }

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 
 use super::between::{BETWEEN, Between, Held, Moved};
 use super::control::Control;
+use super::event_queue::EventQueue;
 use super::frame::{Frame, Span};
-use super::happening::Events;
 use super::integrals::Integrals;
 use super::linear::Linear;
 use super::method::State;
@@ -92,7 +92,7 @@ impl Process {
         let mut late = VecDeque::from(vec![none.clone(); around.delay.inputs()]);
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
-        let mut events = Events::new(&around.events);
+        let mut events = EventQueue::new(&around.events);
         let mut deadline = tau;
         let mut walk = Walk::default();
         loop {
@@ -104,10 +104,10 @@ impl Process {
             }
             let now = if self.in_samples { f64::from(index) } else { t };
             let happens = events.at(since);
-            x.as_mut_slice()[0] -= happens.moved(control);
+            x.as_mut_slice()[0] -= happens.move_target(control);
             let state = &x.as_slice()[..self.n];
             let measured = self.measured(&mut frame, t, state);
-            if let Some(rest) = happens.arms(control, (now, t), &measured, around.period)? {
+            if let Some(rest) = happens.arm(control, (now, t), &measured, around.period)? {
                 deadline = since + rest.unwrap_or(tau);
                 frame.extend(deadline);
             }

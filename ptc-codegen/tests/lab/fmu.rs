@@ -183,7 +183,7 @@ fn axes_have_variables_of_their_own() {
 
 /// A parameter with the name of an input or an output would be a second variable of that name.
 #[test]
-fn a_parameter_with_the_name_of_an_output_is_refused() {
+fn parameter_named_like_an_output_is_refused() {
     let folder = folder("fmu_names");
     let design = ["--lang=fmu2", "--n=2", "--axes=2", "--mu=exp", "--g=[1, u2]"];
     let output = emit(&design, &folder, "cc");

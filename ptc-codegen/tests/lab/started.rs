@@ -62,7 +62,7 @@ fn values_of_flags_are_accepted() {
     for (name, flags) in [
         ("limit", &["--limit", "100"][..]),
         ("both", &["--measured", "x1,x2"]),
-        ("slow", &["--tau", "2"]),
+        ("slow", &["--tau", "1.5"]),
         ("torque", &["--plant", "model", "--limit", "12", "--tau", "1.5"]),
         ("elastic", &["--plant", "flexible", "--measured", "x1,x2", "--limit", "150"]),
         ("wheel", &["--plant", "motor", "--limit", "12", "--tau", "0.25"]),

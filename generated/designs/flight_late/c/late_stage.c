@@ -127,7 +127,7 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
             uint32_t top = 1073741825U;
             uint32_t kept = 0U;
             uint32_t tried = ahead;
-            double part = 0.9999999999998661;
+            double part = 0.9999999999998739;
             for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
                 const double least = ((-6.0) * part) + d;
                 const double most = (6.0 * part) + d;
@@ -250,7 +250,7 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
                 } else {
                     tried = low + half;
                 }
-                part = 0.8999999999997589;
+                part = 0.899999999999773;
             }
             if ((ahead < kept) && (elapsed < 2147483648U)) {
                 last_now = (elapsed + kept) + 1U;
@@ -345,8 +345,8 @@ ptc_status late_stage_soonest(const late_stage *self, uint32_t *samples)
         uint32_t kept = 0U;
         uint32_t tried = 21U;
         for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = (0.8999999999997589 * (-6.0)) + d;
-            const double most = 5.3999999999985535 + d;
+            const double least = (0.899999999999773 * (-6.0)) + d;
+            const double most = 5.399999999998638 + d;
             const double within = (-least < most) ? -least : most;
             uint32_t fits = 0U;
             if (50U < tried) {

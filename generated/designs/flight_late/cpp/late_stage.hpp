@@ -54,8 +54,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef LATE_STAGE_9652B2A6_HPP
-#define LATE_STAGE_9652B2A6_HPP
+#ifndef LATE_STAGE_7E3926E7_HPP
+#define LATE_STAGE_7E3926E7_HPP
 
 #include <array>
 #include <cfloat>
@@ -217,7 +217,7 @@ public:
         std::uint32_t top = 1073741825U;
         std::uint32_t kept = 0U;
         std::uint32_t tried = ahead;
-        double part = 0.9999999999998661;
+        double part = 0.9999999999998739;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
             const double least = ((-6.0) * part) + d;
             const double most = (6.0 * part) + d;
@@ -338,7 +338,7 @@ public:
             } else {
                 tried = low + half;
             }
-            part = 0.8999999999997589;
+            part = 0.899999999999773;
         }
         if ((ahead < kept) && (elapsed < 2147483648U)) {
             last_now = (elapsed + kept) + 1U;
@@ -429,8 +429,8 @@ public:
         std::uint32_t kept = 0U;
         std::uint32_t tried = 21U;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = (0.8999999999997589 * (-6.0)) + d;
-            const double most = 5.3999999999985535 + d;
+            const double least = (0.899999999999773 * (-6.0)) + d;
+            const double most = 5.399999999998638 + d;
             const double within = (-least < most) ? -least : most;
             std::uint32_t fits = 0U;
             if (50U < tried) {

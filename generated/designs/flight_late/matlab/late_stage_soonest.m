@@ -30,8 +30,8 @@ top = uint32(1073741825);
 kept = uint32(0);
 tried = uint32(21);
 for attempt = 0:63
-    least = (0.8999999999997589 * (-6.0)) + d;
-    most = 5.3999999999985535 + d;
+    least = (0.899999999999773 * (-6.0)) + d;
+    most = 5.399999999998638 + d;
     within = pick(-least < most, -least, most);
     fits = uint32(0);
     if uint32(50) < tried

@@ -66,7 +66,7 @@ low = ahead - uint32(1);
 top = uint32(1073741825);
 kept = uint32(0);
 tried = ahead;
-part = 0.9999999999998661;
+part = 0.9999999999998739;
 for attempt = 0:63
     least = ((-6.0) * part) + d;
     most = (6.0 * part) + d;
@@ -187,7 +187,7 @@ for attempt = 0:63
     else
         tried = low + half;
     end
-    part = 0.8999999999997589;
+    part = 0.899999999999773;
 end
 if (ahead < kept) && (elapsed < uint32(2147483648))
     last_now = (elapsed + kept) + uint32(1);

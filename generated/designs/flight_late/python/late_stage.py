@@ -196,7 +196,7 @@ class LateStage:
             top = np.asarray(1073741825)
             kept = np.asarray(0)
             tried = np.asarray(ahead)
-            part = np.asarray(0.9999999999998661)
+            part = np.asarray(0.9999999999998739)
             for _ in range(64):
                 least = ((-6.0) * part) + d
                 most = (6.0 * part) + d
@@ -301,7 +301,7 @@ class LateStage:
                     tried = low + low
                 else:
                     tried = low + half
-                part = _R(0.8999999999997589)
+                part = _R(0.899999999999773)
             if (ahead < kept) and (elapsed < 2147483648):
                 last_now = (elapsed + kept) + 1
             late = np.asarray(0)
@@ -386,8 +386,8 @@ class LateStage:
             kept = np.asarray(0)
             tried = np.asarray(21)
             for _ in range(64):
-                least = (0.8999999999997589 * (-6.0)) + d
-                most = 5.3999999999985535 + d
+                least = (0.899999999999773 * (-6.0)) + d
+                most = 5.399999999998638 + d
                 within = -least if -least < most else most
                 fits = np.asarray(0)
                 if 50 < tried:

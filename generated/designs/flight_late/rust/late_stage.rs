@@ -257,7 +257,7 @@ impl LateStage {
         let mut top = 1073741825_u32;
         let mut kept = 0_u32;
         let mut tried = ahead;
-        let mut part = 0.9999999999998661;
+        let mut part = 0.9999999999998739;
         for _ in 0..64 {
             let least = ((-6.0) * part) + d;
             let most = (6.0 * part) + d;
@@ -381,7 +381,7 @@ impl LateStage {
             } else {
                 tried = low + half;
             }
-            part = 0.8999999999997589;
+            part = 0.899999999999773;
         }
         if (ahead < kept) && (elapsed < 2147483648) {
             last_now = (elapsed + kept) + 1;
@@ -478,8 +478,8 @@ impl LateStage {
         let mut kept = 0_u32;
         let mut tried = 21_u32;
         for _ in 0..64 {
-            let least = (0.8999999999997589 * (-6.0)) + d;
-            let most = 5.3999999999985535 + d;
+            let least = (0.899999999999773 * (-6.0)) + d;
+            let most = 5.399999999998638 + d;
             let within = if -least < most { -least } else { most };
             let mut fits = 0_u32;
             if 50 < tried {

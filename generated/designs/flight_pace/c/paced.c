@@ -95,7 +95,7 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                 uint32_t top = 1073741825U;
                 uint32_t kept = 0U;
                 uint32_t tried = ahead;
-                double part = 0.9999999999968847;
+                double part = 0.9999999999968848;
                 for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
                     const double least = -part;
                     const double most = self->u_max * part;
@@ -189,7 +189,7 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                     } else {
                         tried = low + half;
                     }
-                    part = 0.9999999999937694;
+                    part = 0.9999999999937695;
                 }
                 if ((0U < kept) && (elapsed < 2147483648U)) {
                     last_now = elapsed + kept;
@@ -273,8 +273,8 @@ ptc_status paced_soonest(const paced *self, const double x[2], uint32_t *samples
             uint32_t kept = 0U;
             uint32_t tried = 4U;
             for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
-                const double least = -0.9999999999937694;
-                const double most = 0.9999999999937694 * self->u_max;
+                const double least = -0.9999999999937695;
+                const double most = 0.9999999999937695 * self->u_max;
                 uint32_t fits = 0U;
                 const double m = (double)tried;
                 const double power1 = m + 3.0;

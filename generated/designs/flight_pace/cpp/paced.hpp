@@ -50,8 +50,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef PACED_28932368_HPP
-#define PACED_28932368_HPP
+#ifndef PACED_1CE48C34_HPP
+#define PACED_1CE48C34_HPP
 
 #include <array>
 #include <cfloat>
@@ -184,7 +184,7 @@ public:
             std::uint32_t top = 1073741825U;
             std::uint32_t kept = 0U;
             std::uint32_t tried = ahead;
-            double part = 0.9999999999968847;
+            double part = 0.9999999999968848;
             for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
                 const double least = -part;
                 const double most = u_max_ * part;
@@ -276,7 +276,7 @@ public:
                 } else {
                     tried = low + half;
                 }
-                part = 0.9999999999937694;
+                part = 0.9999999999937695;
             }
             if ((0U < kept) && (elapsed < 2147483648U)) {
                 last_now = elapsed + kept;
@@ -358,8 +358,8 @@ public:
         std::uint32_t kept = 0U;
         std::uint32_t tried = 4U;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = -0.9999999999937694;
-            const double most = 0.9999999999937694 * u_max_;
+            const double least = -0.9999999999937695;
+            const double most = 0.9999999999937695 * u_max_;
             std::uint32_t fits = 0U;
             const double m = static_cast<double>(tried);
             const double power1 = m + 3.0;

@@ -50,7 +50,7 @@ if elapsed < self.last
     top = uint32(1073741825);
     kept = uint32(0);
     tried = ahead;
-    part = 0.9999999999968847;
+    part = 0.9999999999968848;
     for attempt = 0:63
         least = -part;
         most = self.u_max * part;
@@ -142,7 +142,7 @@ if elapsed < self.last
         else
             tried = low + half;
         end
-        part = 0.9999999999937694;
+        part = 0.9999999999937695;
     end
     if (uint32(0) < kept) && (elapsed < uint32(2147483648))
         last_now = elapsed + kept;

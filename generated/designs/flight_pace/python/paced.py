@@ -170,7 +170,7 @@ class Paced:
                 top = np.asarray(1073741825)
                 kept = np.asarray(0)
                 tried = np.asarray(ahead)
-                part = np.asarray(0.9999999999968847)
+                part = np.asarray(0.9999999999968848)
                 for _ in range(64):
                     least = -part
                     most = self._u_max * part
@@ -250,7 +250,7 @@ class Paced:
                         tried = low + low
                     else:
                         tried = low + half
-                    part = _R(0.9999999999937694)
+                    part = _R(0.9999999999937695)
                 if (0 < kept) and (elapsed < 2147483648):
                     last_now = elapsed + kept
             late = np.asarray(0)
@@ -324,8 +324,8 @@ class Paced:
             kept = np.asarray(0)
             tried = np.asarray(4)
             for _ in range(64):
-                least = _R(-0.9999999999937694)
-                most = 0.9999999999937694 * self._u_max
+                least = _R(-0.9999999999937695)
+                most = 0.9999999999937695 * self._u_max
                 fits = np.asarray(0)
                 m = _R(tried)
                 power1 = m + 3.0

@@ -212,7 +212,7 @@ impl Paced {
             let mut top = 1073741825_u32;
             let mut kept = 0_u32;
             let mut tried = ahead;
-            let mut part = 0.9999999999968847;
+            let mut part = 0.9999999999968848;
             for _ in 0..64 {
                 let least = -part;
                 let most = self.u_max * part;
@@ -306,7 +306,7 @@ impl Paced {
                 } else {
                     tried = low + half;
                 }
-                part = 0.9999999999937694;
+                part = 0.9999999999937695;
             }
             if (0 < kept) && (elapsed < 2147483648) {
                 last_now = elapsed + kept;
@@ -398,8 +398,8 @@ impl Paced {
         let mut kept = 0_u32;
         let mut tried = 4_u32;
         for _ in 0..64 {
-            let least: f64 = -0.9999999999937694;
-            let most = 0.9999999999937694 * self.u_max;
+            let least: f64 = -0.9999999999937695;
+            let most = 0.9999999999937695 * self.u_max;
             let mut fits = 0_u32;
             let m = tried as f64;
             let power1 = m + 3.0;

@@ -47,8 +47,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef TOO_SOON_51A452D9_H
-#define TOO_SOON_51A452D9_H
+#ifndef TOO_SOON_D3840B3C_H
+#define TOO_SOON_D3840B3C_H
 
 #include <stdint.h>
 
@@ -98,8 +98,8 @@ ptc_status too_soon_step(const too_soon *self, uint32_t k, const float x[3], flo
 
 /*
  * Another deadline, at any tick before the call of `step` at it: rest at tick `k` + `samples`, 3 to
- * 2147483648 samples. Where a limit could be exceeded before, it is refused (E_SOON). PTC_OK, or
- * PTC_E_PARAM or PTC_E_INPUT or PTC_E_SOON with *self untouched.
+ * 2147483648 samples. A deadline before which a limit could be exceeded is refused (E_SOON).
+ * PTC_OK, or PTC_E_PARAM or PTC_E_INPUT or PTC_E_SOON with *self untouched.
  */
 ptc_status too_soon_arm_for(too_soon *self, uint32_t k, uint32_t samples, const float x[3]);
 

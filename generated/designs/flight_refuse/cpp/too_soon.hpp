@@ -46,8 +46,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef TOO_SOON_A0123E7D_HPP
-#define TOO_SOON_A0123E7D_HPP
+#ifndef TOO_SOON_C0E9F2C9_HPP
+#define TOO_SOON_C0E9F2C9_HPP
 
 #include <array>
 #include <cfloat>
@@ -176,7 +176,8 @@ public:
     }
 
     /// Another deadline, at any tick before the call of `step` at it: rest at tick `k` + `samples`,
-    /// 3 to 2147483648 samples. Where a limit could be exceeded before, it is refused (E_SOON).
+    /// 3 to 2147483648 samples. A deadline before which a limit could be exceeded is refused
+    /// (E_SOON).
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm_for(std::uint32_t k, std::uint32_t samples, const std::array<float, 3>& x) noexcept
     {
@@ -192,10 +193,10 @@ public:
         const float flat1 = ((1000000.0f * x1) - (10000.0f * x2)) + (33.333332f * x3);
         const float flat2 = (10000.0f * x2) - (50.0f * x3);
         const float flat3 = 100.0f * x3;
-        const float least = 0.99490786f * (-20.0f);
-        const float most = 19.898157f;
-        const float most2 = 0.49745393f;
-        const float most3 = 3.9796314f;
+        const float least = 0.9949459f * (-20.0f);
+        const float most = 19.898918f;
+        const float most2 = 0.49747294f;
+        const float most3 = 3.9797835f;
         const std::uint32_t tried = samples;
         std::uint32_t fits = 0U;
         const float m = static_cast<float>(tried);
@@ -389,10 +390,10 @@ public:
         std::uint32_t kept = 0U;
         std::uint32_t tried = 4U;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const float least = 0.99490786f * (-20.0f);
-            const float most = 19.898157f;
-            const float most2 = 0.49745393f;
-            const float most3 = 3.9796314f;
+            const float least = 0.9949459f * (-20.0f);
+            const float most = 19.898918f;
+            const float most2 = 0.49747294f;
+            const float most3 = 3.9797835f;
             std::uint32_t fits = 0U;
             const float m = static_cast<float>(tried);
             const float power1 = m + 3.0f;

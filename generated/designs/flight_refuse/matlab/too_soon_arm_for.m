@@ -1,6 +1,7 @@
 function self = too_soon_arm_for(self, k, samples, x) %#codegen
 %TOO_SOON_ARM_FOR Another deadline, at any tick before the call of `step` at it: rest at tick `k` +
-%`samples`, 3 to 2147483648 samples. Where a limit could be exceeded before, it is refused (E_SOON).
+%`samples`, 3 to 2147483648 samples. A deadline before which a limit could be exceeded is refused
+%(E_SOON).
 %
 %   self = too_soon_arm_for(self, k, samples, x), with self from too_soon_init. Keep self: it is
 %   what the next call needs.
@@ -28,10 +29,10 @@ x3 = x(3);
 flat1 = ((single(1000000.0) * x1) - (single(10000.0) * x2)) + (single(33.33333206176758) * x3);
 flat2 = (single(10000.0) * x2) - (single(50.0) * x3);
 flat3 = single(100.0) * x3;
-least = single(0.9949078559875488) * (-single(20.0));
-most = single(19.898157119750977);
-most2 = single(0.4974539279937744);
-most3 = single(3.9796314239501953);
+least = single(0.9949458837509155) * (-single(20.0));
+most = single(19.89891815185547);
+most2 = single(0.49747294187545776);
+most3 = single(3.979783535003662);
 tried = samples;
 fits = uint32(0);
 m = single(tried);

@@ -156,8 +156,8 @@ class TooSoon:
 
     def arm_for(self, k: int, samples: int, x: ArrayLike) -> None:
         """Another deadline, at any tick before the call of `step` at it: rest at tick `k` +
-        `samples`, 3 to 2147483648 samples. Where a limit could be exceeded before, it is refused
-        (E_SOON).
+        `samples`, 3 to 2147483648 samples. A deadline before which a limit could be exceeded is
+        refused (E_SOON).
 
         ValueError where an argument or what follows from it is not finite; the controller
         is left as it was.
@@ -176,10 +176,10 @@ class TooSoon:
             flat1 = ((_R(1000000.0) * x1) - (_R(10000.0) * x2)) + (_R(33.33333206176758) * x3)
             flat2 = (_R(10000.0) * x2) - (_R(50.0) * x3)
             flat3 = _R(100.0) * x3
-            least = _R(0.9949078559875488) * (-_R(20.0))
-            most = _R(19.898157119750977)
-            most2 = _R(0.4974539279937744)
-            most3 = _R(3.9796314239501953)
+            least = _R(0.9949458837509155) * (-_R(20.0))
+            most = _R(19.89891815185547)
+            most2 = _R(0.49747294187545776)
+            most3 = _R(3.979783535003662)
             tried = samples
             fits = np.asarray(0)
             m = _R(tried)
@@ -337,10 +337,10 @@ class TooSoon:
             kept = np.asarray(0)
             tried = np.asarray(4)
             for _ in range(64):
-                least = _R(0.9949078559875488) * (-_R(20.0))
-                most = _R(19.898157119750977)
-                most2 = _R(0.4974539279937744)
-                most3 = _R(3.9796314239501953)
+                least = _R(0.9949458837509155) * (-_R(20.0))
+                most = _R(19.89891815185547)
+                most2 = _R(0.49747294187545776)
+                most3 = _R(3.979783535003662)
                 fits = np.asarray(0)
                 m = _R(tried)
                 power1 = m + _R(3.0)

@@ -203,7 +203,8 @@ impl TooSoon {
     }
 
     /// Another deadline, at any tick before the call of `step` at it: rest at tick `k` + `samples`,
-    /// 3 to 2147483648 samples. Where a limit could be exceeded before, it is refused (E_SOON).
+    /// 3 to 2147483648 samples. A deadline before which a limit could be exceeded is refused
+    /// (E_SOON).
     ///
     /// # Errors
     /// `Param`: the number of samples is out of its range. `Input`: an argument is not finite or
@@ -222,10 +223,10 @@ impl TooSoon {
         let flat1 = ((1000000.0 * x1) - (10000.0 * x2)) + (33.333332 * x3);
         let flat2 = (10000.0 * x2) - (50.0 * x3);
         let flat3 = 100.0 * x3;
-        let least: f32 = 0.99490786 * (-20.0);
-        let most: f32 = 19.898157;
-        let most2: f32 = 0.49745393;
-        let most3: f32 = 3.9796314;
+        let least: f32 = 0.9949459 * (-20.0);
+        let most: f32 = 19.898918;
+        let most2: f32 = 0.49747294;
+        let most3: f32 = 3.9797835;
         let tried = samples;
         let mut fits = 0_u32;
         let m = tried as f32;
@@ -423,10 +424,10 @@ impl TooSoon {
         let mut kept = 0_u32;
         let mut tried = 4_u32;
         for _ in 0..64 {
-            let least: f32 = 0.99490786 * (-20.0);
-            let most: f32 = 19.898157;
-            let most2: f32 = 0.49745393;
-            let most3: f32 = 3.9796314;
+            let least: f32 = 0.9949459 * (-20.0);
+            let most: f32 = 19.898918;
+            let most2: f32 = 0.49747294;
+            let most3: f32 = 3.9797835;
             let mut fits = 0_u32;
             let m = tried as f32;
             let power1 = m + 3.0;

@@ -1,4 +1,4 @@
-//! What a deadline allows: the largest states that come to rest within the limits, and the soonest deadline for the
+//! Feasible deadlines: the largest states that come to rest within the limits, and the soonest deadline for the
 //! states at the start.
 
 use num_traits::ToPrimitive;
@@ -6,7 +6,9 @@ use num_traits::ToPrimitive;
 use crate::diagnostic::{digits_down, digits_up};
 use crate::linear::{Horizon, Signal};
 use crate::parameter::{Fixed, Parameter};
+use crate::program::range::Range;
 use crate::request::{Flight, Late, Sampled, Spec};
+use crate::samples::Ending;
 
 /// Most samples to a deadline that is looked for.
 const LONGEST: u32 = 1 << 24;
@@ -22,8 +24,8 @@ struct Limited<'a> {
     spare: u32,
 }
 
-/// Sentences about the deadlines that the limits allow, for exact sensors and no other force; none where the law has no
-/// bounds in closed form, or u has no limit.
+/// Returns sentences about the deadlines that the limits allow, with exact sensors and no other force. Empty if the law has
+/// no bounds in closed form, or u no limit.
 pub(super) fn feasible(spec: &Spec) -> Vec<String> {
     let Some(loop_of) = Limited::new(spec) else { return Vec::new() };
     let mut all: Vec<_> = loop_of.largest().into_iter().collect();
@@ -34,32 +36,20 @@ pub(super) fn feasible(spec: &Spec) -> Vec<String> {
 impl<'a> Limited<'a> {
     fn new(spec: &'a Spec) -> Option<Self> {
         let sampled = spec.sampled()?;
-        if spec.axes.is_some() || spec.has_model() || spec.reference.is_some() {
-            return None;
-        }
         let (horizon, mut units) = (sampled.horizon(spec)?, sampled.unit_coordinates(spec)?);
         units.truncate(spec.n);
-        let spare = if sampled.predicts() { sampled.delay.inputs() } else { 0 };
-        let own = Self { spec, sampled, horizon, units, spare: u32::try_from(spare).ok()? };
-        own.limits(Signal::Input).is_some().then_some(own)
+        let spare = Ending::of(spec)?.spare;
+        let own = Self { spec, sampled, horizon, units, spare };
+        let limits = own.limits(Signal::Input);
+        limits.finite().next().is_some().then_some(own)
     }
 
-    /// The lower and the upper limit of a signal; `None` without any.
-    fn limits(&self, signal: Signal) -> Option<[f64; 2]> {
-        let number = |p: Parameter| self.spec.fixed.get(&p)?.number()?.to_f64();
+    fn limits(&self, signal: Signal) -> Range {
         match signal {
-            Signal::Input => {
-                let most = number(Parameter::UMax);
-                let least = match self.spec.u_min {
-                    true => number(Parameter::UMin),
-                    false => most.map(|most| -most),
-                };
-                (least.is_some() || most.is_some())
-                    .then(|| [least.unwrap_or(f64::NEG_INFINITY), most.unwrap_or(f64::INFINITY)])
-            }
+            Signal::Input => Range::fixed(self.spec, 0),
             Signal::State(i) => {
-                let most = self.flight()?.state_max(i)?.to_f64()?;
-                Some([-most, most])
+                let most = self.flight().and_then(|flight| flight.state_max(i)?.to_f64());
+                Range::symmetric(most.unwrap_or(f64::INFINITY))
             }
         }
     }
@@ -68,7 +58,7 @@ impl<'a> Limited<'a> {
         self.sampled.flight.as_ref()
     }
 
-    /// What each unit state adds to the values that limits have to admit, with so many samples to go.
+    /// Returns the values that limits have to admit, of each unit state, with `left` samples to go.
     fn values(&self, left: u32) -> Vec<Vec<(Signal, f64)>> {
         self.units.iter().map(|z| self.horizon.values(z, left)).collect()
     }
@@ -80,23 +70,27 @@ impl<'a> Limited<'a> {
             return None;
         }
         let part = |values: &Vec<(Signal, f64)>| {
-            let parts = values.iter().filter(|(_, value)| *value != 0.0).map(|(signal, value)| {
-                let [least, most] =
-                    self.limits(*signal).unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-                most.min(-least) / value.abs()
-            });
+            let parts = values
+                .iter()
+                .filter(|(_, value)| *value != 0.0)
+                .map(|(signal, value)| self.limits(*signal).radius() / value.abs());
             parts.fold(f64::INFINITY, f64::min)
         };
         let all = self.values(left);
         let shown =
             (1..).zip(&all).map(|(i, values)| format!("|x{i}| <= {}", digits_down(part(values))));
         let shown: Vec<_> = shown.collect();
-        let period = self.spec.fixed.get(&Parameter::SampleTime)?.number()?.to_f64()?;
         Some(format!(
             "at tau = {} the limits allow, of each state alone, {}",
-            digits_up(f64::from(left + self.spare) * period),
+            self.tau(left)?,
             shown.join(", ")
         ))
+    }
+
+    /// Returns the deadline of a law with `left` samples to go, in s.
+    fn tau(&self, left: u32) -> Option<String> {
+        let period = self.spec.fixed.get(&Parameter::SampleTime)?.number()?.to_f64()?;
+        Some(digits_up(f64::from(left + self.spare) * period))
     }
 
     fn samples(&self) -> Option<u32> {
@@ -110,9 +104,7 @@ impl<'a> Limited<'a> {
         (0..count).all(|row| {
             let size: f64 =
                 all.iter().zip(most).map(|(values, most)| values[row].1.abs() * most).sum();
-            let [least, most] =
-                self.limits(all[0][row].0).unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-            size <= most && -size >= least
+            size <= self.limits(all[0][row].0).radius()
         })
     }
 
@@ -124,11 +116,9 @@ impl<'a> Limited<'a> {
             return None;
         }
         let found = self.search(&most)?;
-        let samples = found + self.spare;
-        let period = self.spec.fixed.get(&Parameter::SampleTime)?.number()?.to_f64()?;
-        let tau = digits_up(f64::from(samples) * period);
+        let tau = self.tau(found)?;
         let is_kept = self.samples().is_none_or(|own| {
-            own >= samples
+            own >= found + self.spare
                 || own.checked_sub(self.spare).is_some_and(|left| self.keeps(&most, left))
         });
         Some(match (is_kept, self.flight().map(|own| own.late)) {
@@ -144,6 +134,7 @@ impl<'a> Limited<'a> {
         })
     }
 
+    /// Returns the fewest samples to go found by doubling and halving, as the controller searches them.
     fn search(&self, most: &[f64]) -> Option<u32> {
         let mut low = self.horizon.rest();
         let mut top = low.max(1);

@@ -33,6 +33,11 @@ impl Course {
         self.least + u32::try_from(j).unwrap_or(u32::MAX)
     }
 
+    /// The falling power (M + s)^(count), `left` = M.
+    pub(super) fn power(&self, left: &BigRational, count: u32) -> BigRational {
+        falling(self.shift(), count).at(left)
+    }
+
     /// The polynomials in M that each w_j adds to z_{i+1}; `i` = m is the difference of z_m.
     fn coordinate(&self, i: usize) -> Vec<Polynomial> {
         let one = |j: usize| {

@@ -3,12 +3,12 @@
 //! Under a law with consecutive integer exponents every signal is a polynomial in the samples to go M ([`Course`]), so
 //! its Bernstein coefficients bound it from the first sample to where another law takes over. From there on the time is
 //! known, and so are the coefficients, as sums of the coordinates; gains that are held are bounded by the few rows of
-//! [`held`]. What all bounds admit is kept at every sample, up to the rounding that `slack` allows for.
+//! [`span`]. What all bounds admit is kept at every sample, up to the rounding that `slack` allows for.
 
 mod bernstein;
 mod course;
-mod held;
 mod slack;
+mod span;
 mod values;
 
 use num_traits::{ToPrimitive, Zero};
@@ -19,7 +19,7 @@ use super::Matrix;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::{BigRational, integer};
 use course::whole;
-use held::{Row, Span};
+use span::{Row, Span};
 
 /// Part of a number that is rounding.
 const ROUNDED: f64 = 1e-12;
@@ -69,7 +69,7 @@ pub(crate) struct Curve {
     pub(crate) bernstein: Vec<Vec<BigRational>>,
 }
 
-/// What is to be kept from any M above `above`, under one law.
+/// Signals to be kept from any M above `above`, under one law.
 #[derive(Clone, Debug)]
 pub(crate) struct Stretch {
     /// The law.
@@ -203,19 +203,16 @@ fn held_bounds(plan: &Plan<'_>, course: &Course, from: &BigRational) -> Option<V
 fn gains(course: &Course, left: &BigRational) -> Option<Vec<BigRational>> {
     // u = sum_j of what each w_j adds, at the w_j of the coordinates.
     let amplitudes = course.amplitudes()?;
-    let shifted = left + BigRational::from_integer(course.shift().into());
-    let powers =
-        |count: u32| (0..count).fold(integer(1), |product, q| product * (&shifted - whole(q)));
     let input = course.input();
     let by_weight: Vec<_> = input
         .iter()
         .enumerate()
-        .map(|(j, own)| own.at(left) / powers(course.exponent(j)))
+        .map(|(j, own)| own.at(left) / course.power(left, course.exponent(j)))
         .collect();
     let by_scaled = amplitudes.after_row(&by_weight);
     let scaled = by_scaled.iter().enumerate();
     let gains: Vec<_> =
-        scaled.map(|(i, own)| own * powers(u32::try_from(i).unwrap_or(0))).collect();
+        scaled.map(|(i, own)| own * course.power(left, u32::try_from(i).unwrap_or(0))).collect();
     gains.iter().any(|gain| !gain.is_zero()).then_some(gains)
 }
 

@@ -1,67 +1,67 @@
 //! Rounding of the bounds.
 //!
-//! Signals within their limits bound the coordinates, since the loop comes to rest: what is to be rounded is never
-//! larger than a multiple of the limit of u that the law alone decides.
+//! A signal that is within its limit down to rest bounds the coordinates: its polynomial determines them. So the terms of
+//! its coefficients are at most a multiple of its limit that the law alone decides.
 
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
-use super::{Matrix, Signal, Stretch};
+use super::course::whole;
+use super::{Curve, Matrix, Stretch};
 use crate::algebra::{BigRational, integer};
 
-/// Samples for which it is computed: those of other deadlines are smaller or nearly the same.
+/// Samples for which the multiple is computed. It depends on M through 1/M alone, as the falling powers do.
 const SAMPLES: u32 = 1024;
 
-/// Roundings of each term.
+/// Roundings of each term: those of the coordinate, its falling power, the amplitude and the weight, of the power of the
+/// length, its factor and the sum, and of the limit.
 const EACH: f64 = 8.0;
 
-/// Greatest rounding of a bound over the limit of u, in units of the last place.
+/// Returns the largest rounding of a bound over the limit of its signal, in units of the last place.
 pub(super) fn slack(stretch: &Stretch) -> Option<f64> {
+    let of_signals = stretch.curves.iter().map(|curve| of_signal(stretch, curve));
+    Some(of_signals.collect::<Option<Vec<_>>>()?.into_iter().fold(0.0, f64::max))
+}
+
+fn of_signal(stretch: &Stretch, curve: &Curve) -> Option<f64> {
     let left = stretch.above.saturating_add(SAMPLES);
     let known = stretch.known(left)?;
-    let of_input: Vec<_> =
-        known.iter().filter(|bound| bound.signal == Signal::Input).map(|b| b.row.clone()).collect();
-    let rows = Matrix::of(of_input);
+    let own = known.iter().take_while(|bound| bound.signal != curve.signal).count();
+    let rows = known[own..].iter().take(curve.bernstein.len()).map(|bound| bound.row.clone());
+    let rows = Matrix::of(rows.collect());
     let columns = rows.transpose();
-    // The coordinates by the bounds of u, of least squares.
+    // The coordinates by the coefficients, of least squares.
     let back = columns.times(&rows).inverse()?.times(&columns);
     let total = |row: &[BigRational]| row.iter().map(Signed::abs).sum::<BigRational>();
     let coordinates: Vec<_> = back.rows().iter().map(|row| total(row)).collect();
-    // The sizes of the terms from which the coefficients of u are summed.
-    let sizes = sizes(stretch, left)?;
-    let most = sizes
-        .iter()
-        .map(|row| row.iter().zip(&coordinates).map(|(size, own)| size * own).sum())
-        .max()
-        .unwrap_or_else(BigRational::zero);
-    let terms = EACH * stretch.course.order().to_f64()?;
-    Some(most.to_f64()? * terms)
+    let size = |row: &Vec<BigRational>| {
+        row.iter().zip(&coordinates).map(|(size, own)| size * own).sum::<BigRational>()
+    };
+    let most = sizes(stretch, curve, left).iter().map(size).max()?;
+    Some(most.to_f64()? * EACH * stretch.course.order().to_f64()?)
 }
 
-/// The sizes of the terms of each coefficient of u, by coordinate.
-fn sizes(stretch: &Stretch, left: u32) -> Option<Vec<Vec<BigRational>>> {
-    let course = &stretch.course;
-    let curve = stretch.curves.iter().find(|curve| curve.signal == Signal::Input)?;
-    let whole = |count: u32| BigRational::from_integer(count.into());
-    let shifted = whole(left) + BigRational::from_integer(course.shift().into());
-    let powers = |count: u32| (0..count).fold(integer(1), |all, q| all * (&shifted - whole(q)));
+/// The sizes of the terms of each coefficient of a signal, by coordinate.
+fn sizes(stretch: &Stretch, curve: &Curve, left: u32) -> Vec<Vec<BigRational>> {
+    let (course, order) = (&stretch.course, stretch.course.order());
+    let power = |count: u32| course.power(&whole(left), count);
     let length = whole(left - stretch.above - 1);
     let weight = |j: usize, i: usize| {
-        let scale = powers(u32::try_from(i).unwrap_or(0)) / powers(course.exponent(j));
+        let scale = power(u32::try_from(i).unwrap_or(0)) / power(course.exponent(j));
         stretch.amplitudes.at(j, i).abs() * scale
     };
-    let order = course.order();
+    let weights = Matrix::new(order, order, weight);
     let row = |bernstein: &Vec<BigRational>| -> Vec<BigRational> {
-        let mut all = vec![BigRational::zero(); order];
+        let mut all = vec![integer(0); order];
         let mut scale = integer(1);
         for (own, factors) in bernstein.iter().zip(&curve.powers) {
-            for (j, factor) in factors.iter().enumerate() {
-                for (i, sum) in all.iter_mut().enumerate() {
-                    *sum += own.abs() * &scale * factor.abs() * weight(j, i);
-                }
+            let sizes: Vec<_> =
+                factors.iter().map(|factor| own.abs() * &scale * factor.abs()).collect();
+            for (sum, term) in all.iter_mut().zip(weights.after_row(&sizes)) {
+                *sum += term;
             }
             scale *= &length;
         }
         all
     };
-    Some(curve.bernstein.iter().map(row).collect())
+    curve.bernstein.iter().map(row).collect()
 }

@@ -183,7 +183,7 @@ impl Builder<'_> {
         if self.flight().is_some() {
             body.push(Statement::Set(Place::Field(LAST.to_owned()), self.asked()));
         }
-        if self.fields.iter().any(|field| field.name == ROUND) {
+        if self.counts_round() {
             body.push(Statement::Set(Place::Field(ROUND.to_owned()), self.end_of_round_asked()));
         }
         body.extend(self.forget());

@@ -23,7 +23,7 @@ impl Builder<'_> {
         self.remember_inputs(1);
         if self.sampled.observes() {
             let end = self.end_of_round_asked();
-            if self.flight().is_some() && self.round().is_some() {
+            if self.counts_round() {
                 let about = "samples of the observer's round left at the start";
                 self.keep_count(ROUND, about, end.clone());
             }

@@ -3,7 +3,8 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::super::controller::Builder;
-use crate::algebra::{BigRational, integer};
+use super::super::predicted::weighted;
+use crate::algebra::integer;
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::expression::Function;
 use crate::linear::{Bound, Curve, Horizon, Signal, Stretch};
@@ -99,7 +100,9 @@ impl Builder<'_> {
         let tried = || Expr::local(TRIED);
         let mut all = match held {
             true => {
-                let row = |bound: &Bound| limits.admit_size(bound, combination(&bound.row, flat));
+                let row = |bound: &Bound| {
+                    limits.admit_size(bound, weighted(&bound.row, &|i| flat[i].clone()))
+                };
                 settle(horizon.held.iter().flat_map(row).collect())
             }
             false => Vec::new(),
@@ -146,7 +149,7 @@ fn within(stretch: &Stretch, flat: &[Expr], limits: &Limits) -> Vec<Statement> {
         }
     }
     for bound in &stretch.behind {
-        let value = combination(&bound.row, &weights);
+        let value = weighted(&bound.row, &|i| weights[i].clone());
         // A value of the signal itself has two limits.
         if bound.share == integer(1) {
             let name = format!("end{}", body.len());
@@ -190,7 +193,7 @@ fn weights(stretch: &Stretch, flat: &[Expr], body: &mut Vec<Statement>) -> Vec<E
         .collect();
     (0..order)
         .map(|j| {
-            let sum = combination(&stretch.amplitudes.rows()[j], &scaled);
+            let sum = weighted(&stretch.amplitudes.rows()[j], &|i| scaled[i].clone());
             let exponent = usize::try_from(course.exponent(j)).unwrap_or(usize::MAX);
             set(body, format!("w{}", j + 1), sum.div(power(exponent)))
         })
@@ -209,7 +212,7 @@ fn coefficients(
     let last = curve.powers.len() - 1;
     for (q, factors) in curve.powers.iter().enumerate() {
         let name = format!("{letter}{q}_c");
-        let value = combination(factors, weights).mul(scale.clone());
+        let value = weighted(factors, &|i| weights[i].clone()).mul(scale.clone());
         body.push(Statement::Let(name.clone(), Shape::Real, value));
         powers.push(Expr::local(name));
         if q < last {
@@ -227,14 +230,8 @@ fn coefficients(
     let mut all = vec![powers[0].clone()];
     for (i, row) in curve.bernstein.iter().enumerate().skip(1) {
         let name = format!("{letter}{i}");
-        body.push(Statement::Let(name.clone(), Shape::Real, combination(row, &powers)));
+        body.push(Statement::Let(name.clone(), Shape::Real, weighted(row, &|i| powers[i].clone())));
         all.push(Expr::local(name));
     }
     all
-}
-
-/// The sum of values with these factors.
-fn combination(factors: &[BigRational], values: &[Expr]) -> Expr {
-    let terms = factors.iter().zip(values);
-    Expr::sum(terms.map(|(factor, value)| Expr::Number(factor.clone()).mul(value.clone())))
 }

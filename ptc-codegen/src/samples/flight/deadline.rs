@@ -8,10 +8,7 @@ use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::internal::fault;
-use crate::request::Late;
-
-/// Most samples to a deadline.
-const MOST: u32 = 1 << 31;
+use crate::request::{Late, MAX_SAMPLES};
 
 impl Builder<'_> {
     /// `arm_for`: another deadline from now on.
@@ -19,7 +16,7 @@ impl Builder<'_> {
         let refuses = self.flight().is_some_and(|flight| flight.late == Late::Refuse);
         let samples = || Expr::local("samples");
         let least = self.least_deadline();
-        let most = self.spec.schedule().map_or(MOST, |_| self.most_gains());
+        let most = self.spec.schedule().map_or(MAX_SAMPLES, |_| self.most_gains());
         let legal = vec![
             Test::CountLess(Expr::Count(least - 1), samples()),
             Test::CountLess(samples(), Expr::Count(most.saturating_add(1))),
@@ -30,25 +27,25 @@ impl Builder<'_> {
             Variable::new("samples", Shape::Count, "samples from tick `k` to rest"),
         ];
         let mut failures = vec![Status::Param];
-        let mut told = String::new();
         if refuses {
             let (given, statements) = self.state_of_now();
             arguments.extend(given);
             body.extend(statements);
             body.extend(self.required_plan());
             failures.extend([Status::Input, Status::Soon]);
-            " Where a limit could be exceeded before, it is refused (E_SOON)."
-                .clone_into(&mut told);
         }
-        let keeps_round = self.fields.iter().any(|field| field.name == ROUND);
         let set = |name: &str, value| Statement::Set(Place::Field(name.to_owned()), value);
-        if keeps_round {
+        if self.counts_round() {
             body.push(Self::elapsed(start));
             let left = Expr::field(ROUND).count_left(Expr::local("elapsed"));
             body.push(set(ROUND, left));
         }
         body.push(set("start", Expr::local("k")));
         body.push(set(LAST, samples()));
+        let refusal = match refuses {
+            true => " A deadline before which a limit could be exceeded is refused (E_SOON).",
+            false => "",
+        };
         let kept = match self.remembered() > 0 {
             true => " Estimates and inputs under way are kept.",
             false => "",
@@ -56,8 +53,7 @@ impl Builder<'_> {
         Function {
             name: "arm_for",
             about: format!(
-                "Another deadline, at any tick before the call of `step` at it: rest at tick `k` + `samples`, {} to {most} samples.{kept}{told}",
-                least
+                "Another deadline, at any tick before the call of `step` at it: rest at tick `k` + `samples`, {least} to {most} samples.{kept}{refusal}"
             ),
             owner: Owner::Controller,
             access: Access::Change,

@@ -1,12 +1,12 @@
-//! A deadline that changes while the controller runs: the field `last`, the samples from the start to rest as they are
-//! planned now, and the functions that change it, the target and what is known of the plant.
+//! A deadline that changes while the controller runs: the field `last`, the planned number of samples from the start to
+//! rest, and the functions that change it, the target and the estimates.
 //!
 //! `bounds` are the tests that a deadline keeps the limits, `search` finds the soonest one, `replan` puts a deadline
-//! off within `step`, `deadline` and `known` hold the functions.
+//! off within `step`, `deadline` and `corrections` hold the functions.
 
 mod bounds;
+mod corrections;
 mod deadline;
-mod known;
 mod replan;
 mod search;
 
@@ -35,7 +35,12 @@ impl Builder<'_> {
 
     /// The bounds of a plan, where deadlines are planned.
     fn horizon(&self) -> Option<Horizon> {
-        self.spec.reference.is_none().then(|| self.sampled.horizon(self.spec)).flatten()
+        self.sampled.horizon(self.spec)
+    }
+
+    /// Returns true if the round of an observer is counted from the start.
+    pub(super) fn counts_round(&self) -> bool {
+        self.flight().is_some() && self.round().is_some()
     }
 
     /// Samples by which the law plans to be at rest early.
@@ -65,7 +70,7 @@ impl Builder<'_> {
         let mut functions = vec![self.arm_for(start)];
         functions.extend(self.soonest());
         functions.push(self.deadline(start));
-        functions.extend(self.what_is_known());
+        functions.extend(self.corrections());
         functions
     }
 }

@@ -5,13 +5,10 @@ use super::search::{KEPT, Search};
 use super::{AHEAD, LAST};
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::internal::fault;
-use crate::request::After;
+use crate::request::{After, Flight, MAX_SAMPLES};
 
 /// The samples from the start to rest from this step on.
 pub(in crate::samples) const NOW: &str = "last_now";
-
-/// Samples from the start for which a deadline is put off; the counter of more may wrap.
-const LONGEST: u32 = 1 << 31;
 
 /// 1 if this step has put its deadline off.
 const LATE: &str = "late";
@@ -22,7 +19,7 @@ const FORWARD: u32 = 16;
 impl Builder<'_> {
     /// Returns true if a step may change the deadline.
     pub(in crate::samples) fn replans(&self) -> bool {
-        self.flight().is_some_and(crate::request::Flight::replans)
+        self.flight().is_some_and(Flight::replans)
     }
 
     /// Statements that set `last_now`, the samples from the start to rest.
@@ -48,9 +45,9 @@ impl Builder<'_> {
             true => Expr::Count(0),
             false => Expr::local(AHEAD),
         };
-        // The sum stays a count.
+        // Beyond, the sum might wrap.
         let test = Test::CountLess(changes, Expr::local(KEPT));
-        let test = test.and(Test::CountLess(elapsed(), Expr::Count(LONGEST)));
+        let test = test.and(Test::CountLess(elapsed(), Expr::Count(MAX_SAMPLES)));
         planned.push(Statement::If(test, set, Vec::new()));
         // u is 0 then.
         if self.spec.after == After::Zero {

@@ -20,7 +20,7 @@ const ROUNDS: usize = 64;
 /// The part of the limits that a plan may take.
 const PART: &str = "part";
 
-/// What is searched.
+/// Search for the number of samples to go.
 pub(super) struct Search {
     /// The samples to go that are tried first.
     pub(super) first: Expr,

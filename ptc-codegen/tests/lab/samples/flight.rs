@@ -281,7 +281,7 @@ fn bad_input_changes_nothing() {
 /// Targets that move, states and forces that are known, inputs that the drive changed, deadlines: in any order the
 /// chain is at rest at the last one.
 #[test]
-fn what_is_told_is_exact() {
+fn corrections_in_any_order_end_at_rest() {
     let mut draw = Draw(4);
     let keys = [
         ("measured", "[x1]"),

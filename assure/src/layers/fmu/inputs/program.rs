@@ -52,7 +52,7 @@ pub(super) fn calls(spec: &Spec, inputs: usize, random: &mut Random) -> Vec<Call
     (0..CALLS).map(call).collect()
 }
 
-/// What the FMU gives for each array of a call: the places of its inputs in it.
+/// Returns the arrays that the FMU passes in a call, with its inputs in their places.
 fn spread(spec: &Spec, code: &Code, numbers: &[f64]) -> Vec<(String, Vec<f64>)> {
     let step = code.function("step").map(|step| step.arguments.as_slice()).unwrap_or_default();
     let mut rest = numbers;
@@ -91,7 +91,7 @@ pub(super) fn inputs(spec: &Spec, code: &Code) -> usize {
     length("x").unwrap_or(0) + references
 }
 
-/// How many calls are refused, and what differs from the program.
+/// Returns the number of refused calls, and the differences from the program.
 pub(super) fn compared(
     spec: &Spec,
     code: &Code,

@@ -3,6 +3,7 @@
 use super::super::block::{Around, Block, Branch, Ends, either, refused};
 use super::super::gives::Gives;
 use super::super::text::{Level, Lines, Text};
+use super::text::typed;
 use super::{CHOICE, Rust};
 use crate::code::{Ending, Expr, For, Shape, Status, Subroutine, Test};
 use crate::internal::fault;
@@ -125,10 +126,7 @@ impl Block for Rust<'_> {
     }
 
     fn begin(&self, name: &str, _: Shape, value: &str) -> String {
-        // A method of a count has to know its type.
-        let is_literal = value.bytes().all(|byte| byte.is_ascii_digit());
-        let kind = if is_literal { "_u32" } else { "" };
-        format!("let mut {name} = {value}{kind};")
+        format!("let mut {name} = {};", typed(value))
     }
 }
 

@@ -168,7 +168,7 @@ impl Rust<'_> {
             self.out.words("/// ", &doc(&format!("`{}`: {}", callback.name, callback.about)));
         }
         if result.contains("Error") {
-            let counts = function.arguments.iter().any(|own| own.name == "samples");
+            let counts = function.arguments.iter().any(|own| own.shape == Shape::Count);
             let errors = function.failures.iter().map(|status| match status {
                 Status::Soon => "`Soon`: a limit could be exceeded with so few samples, or with any.",
                 Status::Param if counts => "`Param`: the number of samples is out of its range.",

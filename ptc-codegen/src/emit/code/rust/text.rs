@@ -139,7 +139,7 @@ impl Rust<'_> {
 }
 
 /// A count whose type is known, so that a method can be called on it.
-fn typed(count: &str) -> String {
+pub(super) fn typed(count: &str) -> String {
     let is_number = count.bytes().all(|b| b.is_ascii_digit());
     format!("{count}{}", if is_number { "_u32" } else { "" })
 }

@@ -6,7 +6,7 @@ use super::super::called::{calls, calls_library};
 use super::super::gives::Gives;
 use super::super::text::{Text, capital};
 use super::Cpp;
-use crate::code::{Code, Expr, Owner, Shape, Subroutine, Variable};
+use crate::code::{Code, Expr, Function, Owner, Shape, Subroutine, Variable};
 use crate::expression::Function as Math;
 use crate::parameter::type_name;
 
@@ -45,8 +45,10 @@ impl Cpp<'_> {
         self.out.line(format!("\n{}", assumptions(code.precision)));
         self.out.line("\nnamespace ptc {\n");
         self.out.line(include_str!("../../../../templates/status.hpp.txt"));
-        let of_value = ["rate", "soonest"];
-        if of_value.iter().any(|name| self.code.function(name).is_some()) {
+        let of_value = |function: &Function| {
+            matches!(Gives::of(function), Gives::Value | Gives::Values | Gives::Count)
+        };
+        if code.functions.iter().any(of_value) {
             self.out.line(include_str!("../../../../templates/value.hpp.txt"));
         }
         if code.axes().is_some() {

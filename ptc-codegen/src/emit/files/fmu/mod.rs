@@ -1,6 +1,6 @@
 //! FMI 2.0 and 3.0: a co-simulation FMU around the C of a controller.
 //!
-//! What is text is made here, by the paths in the archive; the command line compiles and packs it.
+//! Text files are made here, by the paths in the archive; the command line compiles and packs it.
 
 mod parts;
 mod signals;

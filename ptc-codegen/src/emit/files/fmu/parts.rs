@@ -1,4 +1,4 @@
-//! What the templates of an FMU are filled with, from a design and its code.
+//! Contents of the templates of an FMU, from a design and its code.
 
 use askama::Template as _;
 
@@ -99,7 +99,7 @@ impl<'a> Parts<'a> {
         self.variables.iter().filter(|v| v.parameter != Some(Parameter::Samples))
     }
 
-    /// What both versions of the interface share.
+    /// Returns the parts that both versions of the interface share.
     fn core(&self, token: &'a str) -> Core<'_> {
         let second = self.version == Version::Two;
         let count = self.variables.iter().find(|v| v.parameter == Some(Parameter::Samples));
@@ -162,7 +162,7 @@ impl<'a> Parts<'a> {
         self.numbers().filter_map(constant).collect()
     }
 
-    /// What modelDescription.xml says of the FMU.
+    /// Returns the contents of modelDescription.xml.
     fn model(&self, token: &'a str) -> Model<'_> {
         let (spec, example) = (self.spec, self.example);
         let period = example.period;

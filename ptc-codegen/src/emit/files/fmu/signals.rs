@@ -73,7 +73,7 @@ impl Signals {
         self.inputs().chain(&self.controls).chain(&self.statuses)
     }
 
-    /// What the importer does at each communication point.
+    /// Instructions for the importer at each communication point.
     pub(super) fn usage(&self) -> String {
         let states = ends(&self.states);
         let references = match self.references.is_empty() {

@@ -93,7 +93,7 @@ pub(super) struct Fmi2<'a> {
     pub(super) name: &'a str,
     pub(super) core: &'a str,
     pub(super) single: bool,
-    /// What the importer does at each communication point.
+    /// Instructions for the importer at each communication point.
     pub(super) usage: &'a str,
     pub(super) frame: &'a Outline,
 }
@@ -104,11 +104,11 @@ pub(super) struct Fmi3<'a> {
     pub(super) name: &'a str,
     pub(super) core: &'a str,
     pub(super) single: bool,
-    /// What the importer does at each communication point.
+    /// Instructions for the importer at each communication point.
     pub(super) usage: &'a str,
 }
 
-/// What modelDescription.xml says.
+/// Contents of modelDescription.xml.
 pub(super) struct Model<'a> {
     pub(super) name: &'a str,
     pub(super) token: &'a str,

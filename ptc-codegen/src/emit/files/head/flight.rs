@@ -2,6 +2,7 @@
 
 use num_traits::Zero;
 
+use crate::parameter::Fixed;
 use crate::request::{Flight, Late, Sampled, Spec};
 use crate::syntax::constant;
 
@@ -12,7 +13,7 @@ pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
         "In flight: arm_for sets another deadline at any tick; rest is exact from any state, so all else stays as it is."
             .to_owned(),
     ];
-    if spec.reference.is_some() || sampled.horizon(spec).is_none() {
+    if sampled.horizon(spec).is_none() {
         return lines;
     }
     lines.push(format!(
@@ -38,9 +39,7 @@ pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
 
 /// The bounds of the states, behind `u`.
 fn states(flight: &Flight) -> String {
-    let bound = |(i, own): (usize, &crate::parameter::Fixed)| {
-        own.number().map(|_| format!("|x{}| <= {own}", i + 1))
-    };
+    let bound = |(i, own): (usize, &Fixed)| own.number().map(|_| format!("|x{}| <= {own}", i + 1));
     let all: Vec<_> = flight.state_max.iter().enumerate().filter_map(bound).collect();
     match all.as_slice() {
         [] => String::new(),

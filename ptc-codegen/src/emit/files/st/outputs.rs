@@ -1,4 +1,4 @@
-//! What the block gives: u, the statuses, and what the controller keeps.
+//! Outputs of the block: u, the statuses, and the memory of the controller.
 
 use super::super::text::Text as _;
 use super::library::{Kind, Member};

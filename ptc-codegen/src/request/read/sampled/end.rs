@@ -4,11 +4,10 @@ use num_traits::ToPrimitive;
 
 use super::super::least_energy::is_least_energy;
 use super::super::{Reader, items, shown, whole};
-use super::MAX_SAMPLES;
 use crate::algebra::BigRational;
 use crate::expression::constant::real;
 use crate::parameter::Fixed;
-use crate::request::{EndLaw, Exponents, LeastEnergy, Spec};
+use crate::request::{EndLaw, Exponents, LeastEnergy, MAX_SAMPLES, Spec};
 use crate::syntax::Node;
 
 /// Poles of the law that takes over.

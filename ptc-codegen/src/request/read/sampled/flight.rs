@@ -13,7 +13,7 @@ use crate::syntax::Node;
 const MOST_SLACK: f64 = 0.01;
 
 impl Reader<'_> {
-    /// What may change while the controller runs, where anything may.
+    /// Reads the changes that are possible while the controller runs, if any are.
     pub(super) fn flight(&mut self, spec: &Spec) -> Option<Flight> {
         let given = |key: &&str| self.keys.contains_key(*key);
         let key = ["late", "pace", "in_flight"].into_iter().find(given);
@@ -102,7 +102,7 @@ impl Reader<'_> {
     }
 }
 
-/// Why no deadline is planned, and the likely fix.
+/// Returns the reason why no deadline is planned, and the likely fix.
 fn unplanned(
     spec: &Spec,
     sampled: &Sampled,

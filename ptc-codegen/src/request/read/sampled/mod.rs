@@ -21,16 +21,13 @@ use crate::expression::normal::normal;
 use crate::expression::{Expression, Node};
 use crate::linear::Delay;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Clock, DelayLaw, MAX_ORDER, Sampled, Spec, What};
+use crate::request::{Clock, DelayLaw, MAX_ORDER, MAX_SAMPLES, Sampled, Spec, What};
 use crate::syntax::{Value, constant};
 use exponent::exponents_of_all;
 use stationary::Observed;
 
 /// Most samples of delay that raise the order of a loop.
 const MAX_RAISED: usize = 4;
-
-/// Most samples to the deadline.
-const MAX_SAMPLES: u32 = 1 << 31;
 
 impl Reader<'_> {
     /// Returns true if the clock counts samples.

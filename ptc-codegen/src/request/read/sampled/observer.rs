@@ -2,7 +2,6 @@
 
 use num_traits::{Signed, ToPrimitive};
 
-use super::MAX_SAMPLES;
 use super::stationary::{Observed, STATIONARY};
 use crate::algebra::{BigInt, BigRational};
 use crate::diagnostic::counted;
@@ -11,7 +10,7 @@ use crate::linear::{self, Delay};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::promises::finite_positive;
 use crate::request::read::{Reader, shown, whole};
-use crate::request::{Gate, Lasting, Observer, Round, Spec, What};
+use crate::request::{Gate, Lasting, MAX_SAMPLES, Observer, Round, Spec, What};
 use crate::syntax::{Value, constant};
 
 /// The keys that have a meaning for an observer alone.

@@ -6,7 +6,7 @@ use super::{Control, Failure};
 use crate::reference::Status;
 
 /// The events that are left of a run, and the forces that act.
-pub(super) struct Events {
+pub(super) struct EventQueue {
     /// Sorted by time.
     all: Vec<Event>,
     next: usize,
@@ -14,17 +14,17 @@ pub(super) struct Events {
 }
 
 /// The events of one sample.
-pub(super) struct Happening(Vec<Change>);
+pub(super) struct SampleEvents(Vec<Change>);
 
-impl Events {
+impl EventQueue {
     pub(super) fn new(all: &[Event]) -> Self {
         let mut all = all.to_vec();
         all.sort_by(|a, b| a.at.total_cmp(&b.at));
         Self { all, next: 0, forces: Vec::new() }
     }
 
-    /// What happens at a sample.
-    pub(super) fn at(&mut self, since: f64) -> Happening {
+    /// Takes the events of a sample.
+    pub(super) fn at(&mut self, since: f64) -> SampleEvents {
         let mut now = Vec::new();
         while let Some(event) = self.all.get(self.next).filter(|e| since >= e.at * (1.0 - SAME)) {
             self.next += 1;
@@ -33,7 +33,7 @@ impl Events {
                 change => now.push(change),
             }
         }
-        Happening(now)
+        SampleEvents(now)
     }
 
     /// The force that acts from a sample on.
@@ -43,23 +43,23 @@ impl Events {
     }
 }
 
-impl Happening {
-    /// How far the target moves, which the controller is told.
-    pub(super) fn moved(&self, control: &mut dyn Control) -> f64 {
+impl SampleEvents {
+    /// Tells the controller that the target moves, and returns by how much.
+    pub(super) fn move_target(&self, control: &mut dyn Control) -> f64 {
         let by = |change: &Change| match change {
             Change::Target(by) => Some(*by),
             _ => None,
         };
         let moves: Vec<_> = self.0.iter().filter_map(by).collect();
         for by in &moves {
-            control.told("move", &[&[*by]]);
+            control.call("move", &[&[*by]]);
         }
         moves.iter().sum()
     }
 
     /// Arms the controller at `now`, its clock, which is `t` s: the time to the new deadline, none for that of the
     /// design; `None` where it is not armed.
-    pub(super) fn arms(
+    pub(super) fn arm(
         &self,
         control: &mut dyn Control,
         (now, t): (f64, f64),
@@ -77,7 +77,7 @@ impl Happening {
                 }
                 Change::Deadline(samples) => {
                     let asked = f64::from(*samples);
-                    let status = control.told("arm_for", &[&[now], &[asked], measured]);
+                    let status = control.call("arm_for", &[&[now], &[asked], measured]);
                     if status != Some(Status::Ok) {
                         return Err(refused(*samples, t, status));
                     }

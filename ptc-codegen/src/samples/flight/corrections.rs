@@ -1,5 +1,4 @@
-//! What is told between two samples: a target that moves, a state and a force that are known, the input that the drive
-//! applied.
+//! Corrections between two samples: of the target, of the estimated state and disturbance, of the applied input.
 
 use std::ops::{Mul, Sub};
 
@@ -11,8 +10,8 @@ use crate::code::{
 use crate::internal::fault;
 use crate::linear::{Matrix, Pair};
 
-/// What a function that is told something has besides its statements.
-struct Told {
+/// A function that corrects the controller: its name, argument and statements.
+struct Correction {
     name: &'static str,
     about: &'static str,
     argument: Variable,
@@ -47,7 +46,7 @@ impl Builder<'_> {
     }
 
     /// `move`, `assume`, `assume_disturbance` and `applied`, as far as they have a meaning.
-    pub(super) fn what_is_known(&mut self) -> Vec<Function> {
+    pub(super) fn corrections(&mut self) -> Vec<Function> {
         let mut functions = Vec::new();
         if self.sampled.observes() {
             functions.extend(self.moves());
@@ -60,8 +59,8 @@ impl Builder<'_> {
         functions
     }
 
-    fn told(&self, told: Told) -> Function {
-        let Told { name, about, argument, body } = told;
+    fn correction(&self, correction: Correction) -> Function {
+        let Correction { name, about, argument, body } = correction;
         Function {
             name,
             about: about.to_owned(),
@@ -87,7 +86,7 @@ impl Builder<'_> {
                 require([Expr::local("moved")]),
                 set("x1_hat", Expr::local("moved")),
             ];
-            self.told(Told {
+            self.correction(Correction {
                 name: "move",
                 about: "The target moves by `dx`: from now on y is measured from the new one, and so are the estimates.",
                 argument: Variable::new("dx", Shape::Real, "new target less the old one"),
@@ -133,7 +132,7 @@ impl Builder<'_> {
             body.push(set(field, value));
         }
         body.push(set("seen", Expr::Count(1)));
-        self.told(Told {
+        self.correction(Correction {
             name: "assume",
             about: "The estimates at the tick of the next call are known: it corrects them by what is measured then.",
             argument: Variable::new("xhat", Shape::Reals(count), "estimates"),
@@ -194,7 +193,7 @@ impl Builder<'_> {
             if self.sampled.linear.is_some() {
                 body.push(set("d_next", Expr::local("d")));
             }
-            self.told(Told {
+            self.correction(Correction {
                 name: "assume_disturbance",
                 about: "The constant that is added to u is known.",
                 argument: Variable::new("d", Shape::Real, "estimate"),
@@ -205,7 +204,7 @@ impl Builder<'_> {
 
     fn applied(&self) -> Function {
         let body = vec![require([Expr::local("u")]), set("u1", Expr::local("u"))];
-        self.told(Told {
+        self.correction(Correction {
             name: "applied",
             about: "The drive applied `u` in place of the u that the last call of `step` gave.",
             argument: Variable::new("u", Shape::Real, "input as it was applied"),
