@@ -10,13 +10,10 @@ use super::controller::Builder;
 use super::rows::rows_of_least_energy;
 use crate::algebra::{BigRational, integer};
 use crate::code::{
-    Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
+    Access, Expr, Finish, Function, NOMINAL, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::linear::power_of_period;
 use crate::request::{Edge, Keep, product_of_rates};
-
-/// The u of the controller that is filtered.
-const NOMINAL: &str = "u_nominal";
 
 /// The u that is given.
 const GIVEN: &str = "u_now";
@@ -101,7 +98,10 @@ impl Builder<'_> {
         body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), Shape::Real, value)));
         let flat = self.flat();
         for i in 0..n {
-            let value = self.flat_coordinate(&flat, i);
+            // In units of x_i over g, in which the chain of its bound has u with weight 1.
+            let power = i64::try_from(n - i).unwrap_or(0);
+            let unit = power_of_period(self.spec.period_of_filter(), power);
+            let value = self.flat_coordinate_times(&unit, &flat, i);
             body.push(Statement::Let(format!("z{}", i + 1), Shape::Real, value));
         }
         let chains = self.chains_of(keep);

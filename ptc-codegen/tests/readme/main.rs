@@ -84,6 +84,7 @@ const RESONANCE: &str = include_str!("../../../docs/guide/resonance.md");
 const ROBUST: &str = include_str!("../../../docs/guide/robust.md");
 
 /// Events of the same stage.
+const FILTER: &str = include_str!("../../../docs/guide/filter.md");
 const MOVES: &str = include_str!("../../../docs/guide/moves.md");
 
 const AXES: &str = include_str!("../../../docs/guide/axes.md");
@@ -103,6 +104,7 @@ const PAGES: [(&str, &str); 46] = [
     ("guide/python.md", include_str!("../../../docs/guide/python.md")),
     ("guide/robust.md", ROBUST),
     ("guide/feasible.md", include_str!("../../../docs/guide/feasible.md")),
+    ("guide/filter.md", FILTER),
     ("guide/moves.md", MOVES),
     ("start.md", START),
     ("explorer.md", include_str!("../../../docs/explorer.md")),

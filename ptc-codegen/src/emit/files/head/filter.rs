@@ -14,11 +14,11 @@ pub(super) fn purpose(spec: &Spec, keep: &Keep) -> Vec<String> {
             bounds(keep, n)
         ),
         format!(
-            "Filter: z = S x are the control points of the way of x1, q_0 = z_i and q_j = (Delta + a_(i+j-1)) q_(j-1), with the rates a_i = (1 - exp(p_i h))/h of the poles {} 1/s. x_i stays within its bound b if all q_j are within b a_i...a_(i+j-1), and u is held to the last of them, which holds u.",
+            "Filter: with the control points z = S x of the trajectory, q_0 = z_i and q_j = (Delta + a_(i+j-1)) q_(j-1), with the rates a_i = (1 - exp(p_i h))/h of the poles {} 1/s. In this cone all states are safe: x_i stays within its bound b as long as all q_j are within b a_i...a_(i+j-1), j < n+1-i; the last of them, in which u occurs, is the limit of u.",
             poles.join(", ")
         ),
         format!(
-            "Outside of these states u is held to the law {} of the chain of each x_i less its bound too, so that x_i is within it at the latest N samples after the last safe one, as long as u is not at its limits.",
+            "From any other state u is held to the law {} of the chain of each x_i less its bound too, so that x_i is within it at the latest N samples after the last safe one, as long as u is not at its limits.",
             keep.law
         ),
     ]

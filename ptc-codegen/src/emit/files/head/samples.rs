@@ -214,7 +214,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
     let mut lines = vec![String::new()];
     if sampled.keep.is_some() {
         lines.extend(filter::behaviour());
-        lines.push(time::limits_of_u(spec, "They go before all bounds."));
+        lines.push(time::limits_of_u(spec, "This goes before all bounds."));
         let given = ["x and u_nominal are finite", "states and u_nominal"];
         lines.push(guard(spec, language, given));
         return lines;
