@@ -90,36 +90,8 @@ impl Chain {
 impl Builder<'_> {
     /// The function `step`.
     pub(super) fn filter(&mut self, keep: &Keep, start: &Expr) -> Function {
+        let (body, finish) = self.filtered(keep, start);
         let n = self.spec.n;
-        let nominal = Expr::local(NOMINAL);
-        let mut body: Vec<_> = self.legal("x", n, vec![nominal.clone()]).into_iter().collect();
-        self.remember_inputs(1);
-        let states = self.states("x").into_iter().zip(1..);
-        body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), Shape::Real, value)));
-        let flat = self.flat();
-        for i in 0..n {
-            // In units of x_i over g, in which the chain of its bound has u with weight 1.
-            let power = i64::try_from(n - i).unwrap_or(0);
-            let unit = power_of_period(self.spec.period_of_filter(), power);
-            let value = self.flat_coordinate_times(&unit, &flat, i);
-            body.push(Statement::Let(format!("z{}", i + 1), Shape::Real, value));
-        }
-        let chains = self.chains_of(keep);
-        body.push(Statement::Note("The limits of u that keep a safe state safe.".to_owned()));
-        for chain in &chains {
-            body.extend(chain.members());
-            body.extend(self.limits_of(chain));
-        }
-        body.extend(self.outside(keep, &chains, start));
-        body.push(Statement::Note("u within them, the bounds of x1 last.".to_owned()));
-        body.extend(self.clipped(&chains));
-        let changes = [Statement::Set(Place::Field("start".to_owned()), Expr::local(SINCE))];
-        let finite = Test::Finite(Expr::local(GIVEN));
-        let finite = std::iter::once(finite).chain(chains.iter().flat_map(limits_are_finite));
-        body.push(Statement::Require(Test::All(finite.collect()), Status::Range));
-        let finish = self.status(&chains);
-        body.extend(self.shift_inputs(&Expr::local(GIVEN)));
-        body.extend(changes);
         let once = if self.remembered() > 0 { " Call it once for each tick." } else { "" };
         Function {
             name: "step",
@@ -144,6 +116,40 @@ impl Builder<'_> {
             finish,
             guarded: self.guarded(),
         }
+    }
+
+    /// The statements of `step`, and its end.
+    fn filtered(&mut self, keep: &Keep, start: &Expr) -> (Vec<Statement>, Finish) {
+        let n = self.spec.n;
+        let nominal = Expr::local(NOMINAL);
+        let mut body: Vec<_> = self.legal("x", n, vec![nominal.clone()]).into_iter().collect();
+        self.remember_inputs(1);
+        let states = self.states("x").into_iter().zip(1..);
+        body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), Shape::Real, value)));
+        let flat = self.flat();
+        for i in 0..n {
+            // In units of x_i over g, in which the chain of its bound has u with weight 1.
+            let power = i64::try_from(n - i).unwrap_or(0);
+            let unit = power_of_period(self.spec.period_of_filter(), power);
+            let value = self.flat_coordinate_times(&unit, &flat, i);
+            body.push(Statement::Let(format!("z{}", i + 1), Shape::Real, value));
+        }
+        let chains = self.chains_of(keep);
+        body.push(Statement::Note("The limits of u that keep a safe state safe.".to_owned()));
+        for chain in &chains {
+            body.extend(chain.members());
+            body.extend(self.limits_of(chain));
+        }
+        body.extend(self.outside(keep, &chains, start));
+        body.push(Statement::Note("u within them, the bounds of x1 last.".to_owned()));
+        body.extend(self.clipped(&chains));
+        let finite = Test::Finite(Expr::local(GIVEN));
+        let finite = std::iter::once(finite).chain(chains.iter().flat_map(limits_are_finite));
+        body.push(Statement::Require(Test::All(finite.collect()), Status::Range));
+        let finish = self.status(&chains);
+        body.extend(self.shift_inputs(&Expr::local(GIVEN)));
+        body.push(Statement::Set(Place::Field("start".to_owned()), Expr::local(SINCE)));
+        (body, finish)
     }
 
     /// The chains of the states with bounds, in the order of precedence.

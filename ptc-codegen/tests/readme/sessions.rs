@@ -5,9 +5,9 @@ use std::path::Path;
 use std::process::Command;
 
 use super::{
-    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, FILTER, GANTRY, GUIDE, MODELS, MOTOR, MOVES,
-    PAGES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE,
-    TANK, TRACK, VERIFY, blocks_of, folder, shell,
+    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, FILTER, GANTRY, GUIDE, MODELS, MOTOR,
+    MOVES, PAGES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE,
+    TABLE, TANK, TRACK, VERIFY, blocks_of, folder, shell,
 };
 
 /// Returns the output of `line` in `folder`; a refused design is not a failure.

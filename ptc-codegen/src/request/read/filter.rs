@@ -3,14 +3,14 @@
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::least_energy::is_least_energy;
-use super::{Entry, Reader, items, shown};
+use super::{Entry, Reader, count, items, shown};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::counted;
 use crate::expression::constant::real;
 use crate::expression::{Expression, Node as Known};
 use crate::keys::KeyInfo;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Clock, Edge, Keep, LeastEnergy, Spec, What};
+use crate::request::{Clock, Edge, Keep, LeastEnergy, MAX_ORDER, Spec, What};
 use crate::syntax::{Node, Value, parse};
 
 /// The keys of the bounds.
@@ -59,9 +59,10 @@ impl<'a> Reader<'a> {
         if !matches!(&what.value, Value::Word(word) if word == "filter") {
             return None;
         }
-        let kept = entries.iter().filter(|entry| !is_of_law(&entry.key)).cloned();
-        let implied =
-            IMPLIED.into_iter().filter(|(key, _)| !self.keys.contains_key(key) || *key == "mu");
+        let kept = |entry: &&Entry| !is_of_law(&entry.key) && entry.key != "clock";
+        let kept = entries.iter().filter(kept).cloned();
+        let implied = IMPLIED.into_iter();
+        let implied = implied.filter(|(key, _)| *key != "poles" || !self.keys.contains_key(key));
         let implied = implied.filter_map(|(key, text)| {
             let value = parse(key, text, &mut |_| what.place).ok()?;
             Some(Entry { key: key.to_owned(), place: what.place, value })
@@ -75,6 +76,15 @@ impl<'a> Reader<'a> {
             let message = format!("`{}` beside a filter, which has no law", entry.key);
             let help = "leave it out: a filter changes the u of any controller as little as its bounds require".to_owned();
             self.found.push("conflict", entry.key.as_str(), Some(entry.place), message, help);
+        }
+        let in_time = |entry: &&Entry| {
+            entry.key == "clock"
+                && !matches!(&entry.value.value, Value::Word(word) if word == "samples")
+        };
+        if let Some(entry) = entries.iter().find(in_time) {
+            let message = format!("clock = {} of a filter", shown(&entry.value.value));
+            let help = "leave it out: a filter counts samples".to_owned();
+            self.wrong("clock", Some(entry.place), message, help);
         }
     }
 
@@ -94,13 +104,16 @@ impl<'a> Reader<'a> {
         if spec.what != What::Filter {
             return;
         }
-        let (n, law) = (spec.n, self.law_of_return(spec));
+        // Another order has been reported.
+        let order = self.keys.get("n").and_then(|node| count(node, MAX_ORDER));
+        let Some(n) = order else { return };
         if n > MOST_ORDER {
             let place = self.keys.get("n").map(|node| node.place);
             let message = format!("a filter of order {n}");
             let help = format!("a filter keeps the bounds of a chain of order 1..={MOST_ORDER}");
-            self.wrong("n", place, message, help);
+            return self.wrong("n", place, message, help);
         }
+        let law = self.law_of_return(spec);
         let below = self.bounds_of("keep_below", n, Fixed::Infinite);
         let above = self.bounds_of("keep_above", n, Fixed::MinusInfinite);
         let poles = self.keep_poles(n);
@@ -161,9 +174,9 @@ impl<'a> Reader<'a> {
         let mut poles: Vec<_> = items(node).iter().filter_map(number).collect();
         if poles.len() != n || items(node).len() != n {
             let message = format!("keep_poles = {}", shown(&node.value));
+            let numbers = if n == 1 { "1 number" } else { &format!("{n} numbers") };
             let help = format!(
-                "give {}, in 1/s: the slowest is that with which x1 approaches its bounds",
-                counted(&n, "number < 0")
+                "give {numbers} < 0, in 1/s: the slowest is that with which x1 approaches its bounds"
             );
             self.wrong("keep_poles", Some(node.place), message, help);
         }
@@ -228,36 +241,32 @@ impl<'a> Reader<'a> {
             return self.wrong(key, place, "every bound is infinite".to_owned(), help);
         }
         for i in 0..n {
-            let [above, below] = [Edge::Above, Edge::Below].map(|edge| keep.bound(i, edge));
-            if let (Some(above), Some(below)) = (above, below)
-                && above >= below
-            {
-                let place = place("keep_above");
-                let message =
-                    format!("the bounds of x{} leave no room: keep_above >= keep_below", i + 1);
-                self.wrong(
-                    "keep_above",
-                    place,
-                    message,
-                    "give a lower bound that is below the upper one".to_owned(),
-                );
-                return;
-            }
-            let moves = [(above, "keep_above", false), (below, "keep_below", true)];
-            for (bound, key, upper) in moves {
-                if i > 0
-                    && bound.is_some_and(|bound| bound.is_negative() == upper && !bound.is_zero())
-                {
-                    let place = place(key);
-                    let message = format!("{key} of x{} excludes 0, the rest of x{i}", i + 1);
-                    let help = format!(
-                        "0 lies within the bounds of x2..xn: the chain must be able to stop; give keep_{} of x{} on its side of 0",
-                        if upper { "below" } else { "above" },
-                        i + 1
-                    );
-                    return self.wrong(key, place, message, help);
-                }
+            if let Some((key, message, help)) = illegal_bounds(keep, i) {
+                let place = place(key);
+                return self.wrong(key, place, message, help);
             }
         }
     }
+}
+
+/// Returns the mistake in the bounds of state `i`, from 0: its key, message and help.
+fn illegal_bounds(keep: &Keep, i: usize) -> Option<(&'static str, String, String)> {
+    let [above, below] = [Edge::Above, Edge::Below].map(|edge| keep.bound(i, edge));
+    let state = i + 1;
+    if above.zip(below).is_some_and(|(above, below)| above >= below) {
+        let message = format!("the bounds of x{state} leave no room: keep_above >= keep_below");
+        let help = "give a lower bound that is below the upper one".to_owned();
+        return Some(("keep_above", message, help));
+    }
+    let excludes = |bound: Option<&BigRational>, negative: bool| {
+        bound.is_some_and(|bound| !bound.is_zero() && bound.is_negative() == negative)
+    };
+    let key = match (i > 0, excludes(above, false), excludes(below, true)) {
+        (true, true, _) => "keep_above",
+        (true, _, true) => "keep_below",
+        _ => return None,
+    };
+    let message = format!("{key} of x{state} excludes 0, where x{i} is at rest");
+    let help = "give x2..xn bounds with 0 between them: the chain must be able to stop".to_owned();
+    Some((key, message, help))
 }
