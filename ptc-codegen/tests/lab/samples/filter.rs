@@ -329,7 +329,7 @@ fn mistakes_are_named() {
         ("keep_below", "-inf", "keep_below is a number or inf for each"),
         ("keep_below", "-0.6", "leave no room"),
         ("keep_below", "0.5, -1", "keep_below of x2 excludes 0, where x1 is at rest"),
-        ("keep_above", "-1, 1", "keep_above of x2 excludes 0"),
+        ("keep_above", "-1, 0.5", "keep_above of x2 excludes 0"),
         ("keep_tolerance", "0", "keep_tolerance is a number > 0"),
         ("poles", "-3, -4", "returns by least-energy"),
         ("f", "load", "give the known constant force as a number"),
