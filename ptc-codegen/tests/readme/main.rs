@@ -63,7 +63,7 @@ const ROBOT: &str = include_str!("../../../examples/two_link.toml");
 /// The robot with a law of both joints that docs/models.md runs.
 const BARRIER: &str = include_str!("../../../examples/barrier_arm.toml");
 
-/// The plant with uncertain numbers that docs/models.md verifies.
+/// The plant with uncertain numbers that docs/guide/uncertain.md verifies.
 const PENDULUM: &str = include_str!("../../../examples/pendulum.toml");
 
 /// The design that docs/guide/target.md shows.
@@ -100,6 +100,10 @@ const GUIDE_SAMPLES: &str = include_str!("../../../docs/guide/samples.md");
 const GUIDE_MODEL: &str = include_str!("../../../docs/guide/model.md");
 
 const GUIDE_TARGET: &str = include_str!("../../../docs/guide/target.md");
+
+const GUIDE_QUADROTOR: &str = include_str!("../../../docs/guide/quadrotor.md");
+
+const GUIDE_UNCERTAIN: &str = include_str!("../../../docs/guide/uncertain.md");
 
 const GUIDE_VERIFY: &str = include_str!("../../../docs/guide/verify.md");
 
