@@ -3,6 +3,7 @@
 
 #![cfg(all(unix, feature = "lab"))]
 
+mod benchmarks;
 mod links;
 mod sessions;
 
@@ -23,8 +24,6 @@ const LIMITS: &str = include_str!("../../../docs/limits.md");
 /// The pages of the book, in their order.
 const SUMMARY: &str = include_str!("../../../docs/SUMMARY.md");
 
-const GENERATORS: &str = include_str!("../../../docs/benchmarks/generators.md");
-
 const EXPRESSIONS: &str = include_str!("../../../docs/expressions.md");
 
 const SIMULATE: &str = include_str!("../../../docs/simulate.md");
@@ -32,8 +31,6 @@ const SIMULATE: &str = include_str!("../../../docs/simulate.md");
 const VERIFY: &str = include_str!("../../../docs/verify.md");
 
 const DESIGN: &str = include_str!("../../../docs/design.md");
-
-const COMPARE: &str = include_str!("../../../docs/compare.md");
 
 const TIME: &str = include_str!("../../../docs/time.md");
 
@@ -231,33 +228,6 @@ fn readme_shows_the_stage() {
         fs::write(&kept, &drawn).expect("writable");
     }
     assert!(drawn == fs::read_to_string(kept).expect("a picture"), "docs/stage.svg");
-}
-
-/// The figures of docs/compare.md beside other tools are those of the page that a command writes.
-#[test]
-fn comparison_of_tools_matches_the_benchmarks() {
-    let rows: Vec<Vec<_>> = GENERATORS
-        .lines()
-        .filter(|line| line.starts_with("| "))
-        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect();
-    let measured = |family: &str, n: &str, generator: &str, column: usize| {
-        let row = |row: &&Vec<&str>| row.len() == 8 && row[..3] == [family, n, generator];
-        rows.iter().find(row).unwrap_or_else(|| panic!("no {family} {n} {generator}"))[column]
-    };
-    for (start, family, n, column) in [
-        ("| instructions of a step, `exp`, n = 3 |", "exp", "3", 3),
-        ("| instructions of a step, `tan`, n = 6 |", "tan", "6", 3),
-        ("| error of u for T/tau down to 1e-12, `tan`, n = 6 |", "tan", "6", 7),
-    ] {
-        let line = COMPARE.lines().find(|line| line.starts_with(start)).expect("a row");
-        let shown: Vec<_> = line[start.len()..].split('|').map(str::trim).collect();
-        let hand = if n == "3" { "hand" } else { "hand_loop" };
-        let casadi = if n == "3" { "casadi_diff" } else { "casadi_mu" };
-        for (place, generator) in ["ptc-codegen", hand, "sympy_tuned", casadi].iter().enumerate() {
-            assert_eq!(shown[place], measured(family, n, generator, column), "{start} {generator}");
-        }
-    }
 }
 
 #[test]
