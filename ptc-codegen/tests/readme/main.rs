@@ -84,6 +84,7 @@ const RESONANCE: &str = include_str!("../../../docs/guide/resonance.md");
 const ROBUST: &str = include_str!("../../../docs/guide/robust.md");
 
 /// Events of the same stage.
+const FILTER: &str = include_str!("../../../docs/guide/filter.md");
 const MOVES: &str = include_str!("../../../docs/guide/moves.md");
 
 /// Several axes, and more on them.

@@ -5,10 +5,10 @@ use std::path::Path;
 use std::process::Command;
 
 use super::{
-    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, GANTRY, GUIDE, GUIDE_AXES, GUIDE_MODEL,
-    GUIDE_QUADROTOR, GUIDE_TARGET, GUIDE_UNCERTAIN, GUIDE_VERIFY, MODELS, MOTOR, MOVES, PENDULUM,
-    QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE, TANK, TRACK, VERIFY,
-    blocks_of, folder, pages, shell,
+    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, FILTER, GANTRY, GUIDE, GUIDE_AXES,
+    GUIDE_MODEL, GUIDE_QUADROTOR, GUIDE_TARGET, GUIDE_UNCERTAIN, GUIDE_VERIFY, MODELS, MOTOR,
+    MOVES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE,
+    TANK, TRACK, VERIFY, blocks_of, folder, pages, shell,
 };
 
 /// Returns the output of `line` in `folder`; a refused design is not a failure.
@@ -109,6 +109,8 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("quadrotor.toml"), QUADROTOR).expect("writable");
     assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
     fs::write(folder.join("table.toml"), TABLE).expect("writable");
+    let [stop] = &blocks_of(FILTER, "toml")[..] else { panic!("a filter") };
+    fs::write(folder.join("stop.toml"), stop).expect("writable");
     // Those of one command, to refresh a few pages in seconds.
     let only = std::env::var("PTC_SESSIONS").ok();
     let campaigns = blocks_of(VERIFY, "sh").concat();
@@ -171,6 +173,10 @@ fn pages_show_what_is_printed() {
         );
         assert_eq!(&shell(&strict, &folder), shown, "{name}");
     }
+    let (programs, shown) = (blocks_of(FILTER, "c"), blocks_of(FILTER, "text"));
+    fs::write(folder.join("main.c"), &programs[0]).expect("writable");
+    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Istop main.c stop/stop_filter.c -lm -o demo && ./demo";
+    assert_eq!(shell(strict, &folder), shown[0], "stop");
     for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
         let page = pages.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
         let shown = blocks_of(&page.expect("a page").1, "console").concat();

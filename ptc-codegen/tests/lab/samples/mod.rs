@@ -2,6 +2,7 @@
 //! chain. What runs is the program that is emitted, in its own arithmetic.
 
 mod calls;
+mod filter;
 mod flight;
 mod flight_in_c;
 mod followed;

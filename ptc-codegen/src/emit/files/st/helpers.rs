@@ -100,6 +100,10 @@ pub(super) fn of_subroutine(name: &str) -> String {
     format!("row_{name}")
 }
 
+/// The further status of a filter.
+const INFEASIBLE: &str =
+    "   6  infeasible: not all bounds can be kept from here, u is the nearest to them\n";
+
 /// The statuses of an observer.
 const UPDATE: &str = "\
 status; on a negative one nothing has changed:
@@ -138,6 +142,7 @@ One call does one of these."
     if code.function("update").is_some() {
         return format!("{calls}\n\n{UPDATE}");
     }
+    let infeasible = if code.is_filter() { INFEASIBLE } else { "" };
     let mut text = format!(
         "\
 {calls}
@@ -151,7 +156,7 @@ status; on a negative one u is 0 and nothing has changed; u is 0 after init and 
   -1  a parameter outside its domain, or coefficients that overflow; arm without init
   -2  an argument is not finite or out of its domain, or no init before
   -3  u not finite
-Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number."
+{infeasible}Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number."
     );
     if code.function("arm_for").is_some() {
         text.push_str("\n\n");
