@@ -55,6 +55,7 @@ mod verdicts;
 mod verify_command;
 mod verify_draws;
 mod verify_edges;
+mod verify_events;
 mod verify_integrals;
 mod verify_lanes;
 mod verify_parameters;
