@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::plot::Figure;
+use crate::plot::Picture;
 
 use super::page::undrawn;
 use super::report::Failure;
@@ -31,7 +31,7 @@ impl Kind {
     }
 
     /// The file of a picture.
-    pub(crate) fn file(self, figure: &Figure) -> Result<Vec<u8>, Failure> {
+    pub(crate) fn file(self, figure: &impl Picture) -> Result<Vec<u8>, Failure> {
         let drawn = match self {
             Self::Svg => figure.svg().map(String::into_bytes),
             Self::Png => figure.png(),

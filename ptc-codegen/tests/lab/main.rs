@@ -5,6 +5,7 @@
 
 mod bounds;
 mod check;
+mod check_picture;
 #[path = "../../../tests/support/command.rs"]
 mod command;
 mod compare;

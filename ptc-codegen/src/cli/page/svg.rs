@@ -1,6 +1,6 @@
 //! Drawings of a page.
 
-use crate::plot::Figure;
+use crate::plot::{Figure, Picture};
 use askama::filters::HtmlSafe;
 
 use crate::cli::report::Failure;
