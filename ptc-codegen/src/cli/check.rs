@@ -66,7 +66,7 @@ pub(crate) struct Check {
 /// Runs `check`.
 pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     #[cfg(feature = "lab")]
-    let plot = picture::Plot::of(request)?;
+    let plot = picture::Plot::of(request.design.design.as_deref(), request.plot.as_deref())?;
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let (mut spec, plant) = given.read_with_plant()?;

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use crate::plot::Picture;
 
-use super::page::undrawn;
 use super::report::Failure;
 
 /// Format of a picture.
@@ -39,4 +38,10 @@ impl Kind {
         };
         drawn.map_err(|wrong| undrawn(&wrong))
     }
+}
+
+/// A picture that cannot be drawn.
+pub(crate) fn undrawn(wrong: &str) -> Failure {
+    let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
+    Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
 }

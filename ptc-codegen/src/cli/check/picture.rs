@@ -1,11 +1,12 @@
 //! The picture of the feasible set, for `--plot`.
 
+use std::path::Path;
+
 use crate::check::sampled::{FeasibleSet, Outline};
 use crate::diagnostic::digits;
 use crate::plot::{Contour, Contours, Quantity};
 use crate::request::Spec;
 
-use super::Check;
 use crate::cli::output::{self, Outputs, Place};
 use crate::cli::picture::Kind;
 use crate::cli::progress::checking;
@@ -18,12 +19,12 @@ pub(super) struct Plot {
 }
 
 impl Plot {
-    /// Plans the file, if there is one.
-    pub(super) fn of(request: &Check) -> Result<Option<Self>, Failure> {
-        let Some(path) = request.plot.as_deref() else { return Ok(None) };
+    /// Plans the file at `path` for the design at another one, if there is one.
+    pub(super) fn of(design: Option<&Path>, path: Option<&Path>) -> Result<Option<Self>, Failure> {
+        let Some(path) = path else { return Ok(None) };
         let kind = Kind::of(path)?;
         let mut outputs = Outputs::default();
-        request.design.design.iter().for_each(|path| outputs.reads("the design", path));
+        design.into_iter().for_each(|path| outputs.reads("the design", path));
         Ok(Some(Self { kind, place: outputs.file("--plot", path)? }))
     }
 
