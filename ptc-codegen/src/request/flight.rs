@@ -54,6 +54,14 @@ impl Flight {
     }
 }
 
+impl Spec {
+    /// Returns true if the controller may change its deadline by itself: it puts it off, or plans the soonest one.
+    pub fn changes_deadline(&self) -> bool {
+        let flight = self.sampled().and_then(|sampled| sampled.flight.as_ref());
+        flight.is_some_and(|own| own.replans() || own.soonest)
+    }
+}
+
 impl Sampled {
     /// Returns the bounds from which a deadline is known to keep the limits; `None` for plants that are not one chain,
     /// with a reference, whose future decides u, and for laws whose u has no closed form to its end.

@@ -67,10 +67,11 @@ fn pages_show_what_is_printed() {
     let [flight, settled, gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("designs") };
     let in_flight = ENCODER.replace("[params]", &format!("{flight}\n[params]"));
     fs::write(folder.join("flight.toml"), in_flight).expect("writable");
-    let [moves] = &blocks_of(MOVES, "toml")[..] else { panic!("events") };
+    let [moves, random] = &blocks_of(MOVES, "toml")[..] else { panic!("events") };
     let (keys, events) = moves.split_once("[[event]]").expect("keys and events");
     let moves = ENCODER.replace("[params]", &format!("{keys}\n[params]"));
     fs::write(folder.join("moves.toml"), format!("{moves}\n[[event]]{events}")).expect("writable");
+    fs::write(folder.join("random.toml"), format!("{moves}\n{random}")).expect("writable");
     let of_round = ["observer_poles", "observer_samples", "observer_eps"];
     let lines = ENCODER.lines().filter(|line| !of_round.iter().any(|key| line.starts_with(key)));
     let lines: Vec<_> = lines.collect();
@@ -148,6 +149,7 @@ fn pages_show_what_is_printed() {
         "axes.svg",
         "choose.svg",
         "feasible.svg",
+        "feasible_set.svg",
         "moves.svg",
         "noise.svg",
         "period.svg",

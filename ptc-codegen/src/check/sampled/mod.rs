@@ -48,6 +48,8 @@ mod worst;
 pub use cells::Worst;
 pub(crate) use eps::Candidate;
 pub use eps::{Choice, curve};
+#[cfg(feature = "lab")]
+pub use feasible::{FeasibleSet, Outline, Unlimited};
 pub use gating::{Cost, Gating};
 pub(crate) use judge::Loop;
 #[cfg(feature = "files")]

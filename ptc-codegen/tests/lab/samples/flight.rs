@@ -30,18 +30,18 @@ impl Draw {
 }
 
 /// x_i' = x_{i+1}, x_n' = u + force, u held for a sample and as many samples late as there are inputs under way.
-struct Chain {
-    x: Vec<f64>,
+pub(super) struct Chain {
+    pub(super) x: Vec<f64>,
     under_way: Vec<f64>,
     force: f64,
 }
 
 impl Chain {
-    fn new(x: &[f64], late: usize) -> Self {
+    pub(super) fn new(x: &[f64], late: usize) -> Self {
         Self { x: x.to_vec(), under_way: vec![0.0; late], force: 0.0 }
     }
 
-    fn step(&mut self, u: f64) {
+    pub(super) fn step(&mut self, u: f64) {
         self.under_way.push(u);
         let acts = self.under_way.remove(0) + self.force;
         for i in 0..self.x.len() {
@@ -60,14 +60,14 @@ impl Chain {
 }
 
 /// A controller that runs.
-struct Run {
+pub(super) struct Run {
     own: Instance,
     given: &'static str,
     measured: usize,
 }
 
 impl Run {
-    fn new(code: &Code, given: &'static str, measured: usize) -> Self {
+    pub(super) fn new(code: &Code, given: &'static str, measured: usize) -> Self {
         Self { own: Instance::new(code, &[]).expect("legal parameters"), given, measured }
     }
 
@@ -75,14 +75,14 @@ impl Run {
         self.own.call(name, given).status
     }
 
-    fn soonest(&mut self, x: &[f64]) -> Option<u32> {
+    pub(super) fn soonest(&mut self, x: &[f64]) -> Option<u32> {
         let given: &[(&str, &[f64])] = if self.given == "x" { &[("x", x)] } else { &[] };
         let outcome = self.own.call("soonest", given);
         let samples = outcome.results.get("samples").map(|all| all[0]);
         (outcome.status == Status::Ok).then(|| count(samples.expect("a count")))
     }
 
-    fn arm_for(&mut self, k: u32, samples: u32) -> Status {
+    pub(super) fn arm_for(&mut self, k: u32, samples: u32) -> Status {
         self.call("arm_for", &[("k", &[f64::from(k)]), ("samples", &[f64::from(samples)])])
     }
 
@@ -90,7 +90,7 @@ impl Run {
         count(self.own.call("deadline", &[]).results["k"][0])
     }
 
-    fn step(&mut self, k: u32, x: &[f64]) -> (f64, Status) {
+    pub(super) fn step(&mut self, k: u32, x: &[f64]) -> (f64, Status) {
         let given = [("k", &[f64::from(k)][..]), (self.given, &x[..self.measured])];
         let outcome = self.own.call("step", &given);
         (outcome.results["u"][0], outcome.status)
