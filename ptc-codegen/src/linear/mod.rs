@@ -25,6 +25,7 @@ pub(crate) use between::{Between, Part, drift};
 pub use complex::Complex;
 pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
+pub(crate) use exponential::exponential;
 #[cfg(feature = "simulate")]
 pub(crate) use flow::norm;
 pub(crate) use flow::{Rows, flow};

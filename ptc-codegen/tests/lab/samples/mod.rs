@@ -3,6 +3,7 @@
 
 mod calls;
 mod feasible;
+mod filter;
 mod flight;
 mod flight_in_c;
 mod followed;

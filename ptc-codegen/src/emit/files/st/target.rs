@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::literal::through_double;
-use super::super::{File, Language, Print, Target, names, refuse_flight, refuse_fma};
+use super::super::{File, Language, Print, Target, names, refuse_fma};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Node, Subject};
 use crate::parameter::{Parameter, Precision};
@@ -42,7 +42,6 @@ pub(in crate::emit) fn is_word(word: &str) -> bool {
 
 fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
     refuse_fma(spec, "Structured Text", found);
-    refuse_flight(spec, "Structured Text", found);
     if spec.what == What::Associated {
         found.push(
             "unsupported",
