@@ -48,6 +48,7 @@ mod worst;
 pub use cells::Worst;
 pub(crate) use eps::Candidate;
 pub use eps::{Choice, curve};
+pub(crate) use feasible::feasible;
 pub use gating::{Cost, Gating};
 pub(crate) use judge::Loop;
 #[cfg(feature = "files")]

@@ -1,15 +1,15 @@
 //! The search for the soonest deadline: from samples to go that are tried first it doubles until the limits are kept,
-//! and halves the distance to what does not keep them. Each candidate is tested by itself, so that nothing depends on
-//! whether a later deadline is easier to keep.
+//! and halves the distance to what does not keep them. Each candidate is tested by itself and for each axis, so that
+//! nothing depends on whether a later deadline is easier to keep.
 
 use num_traits::ToPrimitive;
 
 use super::super::controller::Builder;
-use super::bounds::{FITS, TRIED};
+use super::bounds::{TRIED, all_fit, fits};
+use super::{Chain, longest, rest};
 use crate::algebra::BigRational;
 use crate::code::{Expr, For, Index, Place, Shape, Statement, Test};
 use crate::internal::fault;
-use crate::linear::Horizon;
 
 /// The samples to go that keep the limits; 0 without any.
 pub(super) const KEPT: &str = "kept";
@@ -34,14 +34,9 @@ pub(super) struct Search {
 
 impl Builder<'_> {
     /// Statements that set `kept` from the flat coordinates.
-    pub(super) fn search(
-        &mut self,
-        horizon: &Horizon,
-        flat: &[Expr],
-        search: Search,
-    ) -> Vec<Statement> {
-        let [all, planned] = self.parts(horizon);
-        let longest = self.sampled.longest(horizon, self.spec.precision);
+    pub(super) fn search(&mut self, chains: &[Chain], search: Search) -> Vec<Statement> {
+        let [all, planned] = self.parts(chains);
+        let longest = longest(chains, self.spec.precision);
         let begin = |name: &str, value| Statement::Begin(name.to_owned(), Shape::Count, value);
         let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
         let [low, top, tried] = ["low", "top", TRIED].map(Expr::local);
@@ -58,9 +53,9 @@ impl Builder<'_> {
             }
             false => planned.clone(),
         };
-        let (mut round, limits) = self.plan_limits(horizon, &part, search.held);
-        round.extend(self.fits(horizon, flat, &limits, search.held));
-        let rest = Expr::Count(horizon.rest());
+        let (mut round, limits) = self.plan_limits(chains, &part, search.held);
+        round.extend(fits(chains, &limits, search.held));
+        let rest = Expr::Count(rest(chains));
         let refused = match search.held {
             true => {
                 let above = Test::CountLess(rest.clone(), tried.clone());
@@ -69,11 +64,7 @@ impl Builder<'_> {
             false => vec![set("low", tried.clone())],
         };
         let kept = vec![set(KEPT, tried.clone()), set("top", tried)];
-        round.push(Statement::If(
-            Test::CountEqual(Expr::local(FITS), Expr::Count(1)),
-            kept,
-            refused,
-        ));
+        round.push(Statement::If(all_fit(chains), kept, refused));
         let gap = top.count_left(low.clone());
         round.push(Statement::Let("gap".to_owned(), Shape::Count, gap));
         let near = Test::CountLess(Expr::local("gap"), Expr::Count(2));
@@ -97,8 +88,9 @@ impl Builder<'_> {
 
     /// The parts of the limits that a deadline may take which is to stay, and a new one: half of the slack lies
     /// between, so that a plan is not put off by its own rounding.
-    pub(super) fn parts(&self, horizon: &Horizon) -> [Expr; 2] {
-        let slack = horizon.slack * self.spec.precision.epsilon();
+    pub(super) fn parts(&self, chains: &[Chain]) -> [Expr; 2] {
+        let slack = chains.iter().map(|chain| chain.horizon.slack).fold(0.0, f64::max);
+        let slack = slack * self.spec.precision.epsilon();
         let reserve = self.flight().and_then(|flight| flight.reserve.to_f64()).unwrap_or(0.0);
         [1.0 - slack, (1.0 - 2.0 * slack) * (1.0 - reserve)].map(|part| {
             let exact = BigRational::from_float(part);
