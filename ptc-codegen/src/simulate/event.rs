@@ -261,8 +261,9 @@ impl Reader<'_> {
         let (kick, length) = (given.get("kick"), given.get("for"));
         let (node, key) = match (kick, length) {
             (Some(kick), Some(_)) => {
-                let (inputs, is_list) =
-                    (self.spec.input_names().len(), matches!(kick.value, Value::List(_)));
+                let rows = self.spec.rows_of_axes();
+                let inputs = rows.map_or(self.spec.input_names().len(), |(count, _)| count);
+                let is_list = matches!(kick.value, Value::List(_));
                 let sizes = match is_list && inputs > 1 {
                     true => self.each(table, "kick", given, inputs),
                     false => self.finite(table, "kick", given).into_iter().collect(),

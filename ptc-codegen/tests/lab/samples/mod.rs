@@ -3,6 +3,8 @@
 
 mod calls;
 mod flight;
+mod flight_axes;
+mod flight_axes_in_c;
 mod flight_in_c;
 mod followed;
 mod least_energy;
