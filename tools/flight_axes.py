@@ -183,7 +183,8 @@ def late(command, options):
                 free = axes[one].state_max[-1] == inf and n > 1
                 control.arm_for(0, draw.randrange(n, 300))
                 k, last, beyond = 0, control.deadline(), False
-                while k < max(control.deadline(), kicked + 1):
+                # After the deadline the last gains bring an axis to rest that is let go.
+                while k < max(control.deadline(), kicked, held) + 10:
                     # A kick may leave an axis without a plan that keeps its bound of speed.
                     beyond = beyond or control.soonest(states(chains)) is None
                     u, status = control.steps(k, chains)

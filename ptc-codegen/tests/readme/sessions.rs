@@ -97,7 +97,10 @@ fn pages_show_what_is_printed() {
     assert_eq!(track, TRACK);
     fs::write(folder.join("track.toml"), TRACK).expect("writable");
     fs::write(folder.join("pick.toml"), pick).expect("writable");
-    let [gantry, quadrotor, coupling] = &blocks_of(AXES, "toml")[..] else { panic!("designs") };
+    let [gantry, quadrotor, coupling, hall] = &blocks_of(AXES, "toml")[..] else {
+        panic!("designs")
+    };
+    fs::write(folder.join("hall.toml"), hall).expect("writable");
     assert_eq!([gantry, quadrotor], [GANTRY, QUADROTOR]);
     fs::write(folder.join("coupled.toml"), format!("{GANTRY}\n{coupling}")).expect("writable");
     fs::write(folder.join("gantry.toml"), GANTRY).expect("writable");

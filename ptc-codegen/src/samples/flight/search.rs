@@ -1,5 +1,6 @@
 //! The search for the soonest deadline: from samples to go that are tried first it doubles until the limits are kept,
-//! and halves the distance to what does not keep them. Each candidate is tested by itself and for each axis, so that
+//! and halves the distance to what does not keep them. Where a later deadline may not be kept either, it is the distance
+//! from the planned one that grows, by half, so that a deadline shortly behind it is found. Each candidate is tested by itself and for each axis, so that
 //! nothing depends on whether a later deadline is easier to keep.
 
 use num_traits::ToPrimitive;
@@ -10,6 +11,7 @@ use super::{Chain, longest, rest};
 use crate::algebra::BigRational;
 use crate::code::{Expr, For, Index, Place, Shape, Statement, Test};
 use crate::internal::fault;
+use crate::linear::Signal;
 
 /// The samples to go that keep the limits; 0 without any.
 pub(super) const KEPT: &str = "kept";
@@ -32,6 +34,31 @@ pub(super) struct Search {
     pub(super) keeps_first: bool,
 }
 
+/// Returns true if a state has a limit, so that a later deadline may be impossible to keep: what a state moves on the way
+/// grows with the time that it takes.
+fn are_bounded(chains: &[Chain]) -> bool {
+    let mut curves = chains.iter().flat_map(|chain| &chain.horizon.stretches[0].curves);
+    curves.any(|curve| curve.signal != Signal::Input)
+}
+
+/// Statements that set the samples to go that are tried next; `near` if their distance from the first ones grows.
+fn next(search: &Search, near: bool) -> Vec<Statement> {
+    let [low, half] = ["low", "half"].map(Expr::local);
+    let try_at = |more: Expr| {
+        let next = low.clone().count_add(more);
+        vec![Statement::Set(Place::Local(TRIED.to_owned()), next)]
+    };
+    if !near {
+        let doubles = Test::CountLess(low.clone(), half.clone());
+        return vec![Statement::If(doubles, try_at(low.clone()), try_at(half))];
+    }
+    let behind = low.clone().count_left(search.first.clone()).count_over(2);
+    let more = Statement::Let("more".to_owned(), Shape::Count, behind.count_add(Expr::Count(1)));
+    let nothing = Test::CountEqual(Expr::local(KEPT), Expr::Count(0));
+    let grows = nothing.and(Test::CountLess(Expr::local("more"), half.clone()));
+    vec![more, Statement::If(grows, try_at(Expr::local("more")), try_at(half))]
+}
+
 impl Builder<'_> {
     /// Statements that set `kept` from the flat coordinates.
     pub(super) fn search(&mut self, chains: &[Chain], search: Search) -> Vec<Statement> {
@@ -41,10 +68,10 @@ impl Builder<'_> {
         let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
         let [low, top, tried] = ["low", "top", TRIED].map(Expr::local);
         let mut body = vec![
-            begin("low", search.below),
+            begin("low", search.below.clone()),
             begin("top", Expr::Count(longest + 1)),
             begin(KEPT, Expr::Count(0)),
-            begin(TRIED, search.first),
+            begin(TRIED, search.first.clone()),
         ];
         let part = match search.keeps_first {
             true => {
@@ -65,7 +92,7 @@ impl Builder<'_> {
         };
         let kept = vec![set(KEPT, tried.clone()), set("top", tried)];
         round.push(Statement::If(all_fit(chains), kept, refused));
-        let gap = top.count_left(low.clone());
+        let gap = top.count_left(low);
         round.push(Statement::Let("gap".to_owned(), Shape::Count, gap));
         let near = Test::CountLess(Expr::local("gap"), Expr::Count(2));
         round.push(Statement::If(near, vec![Statement::Leave], Vec::new()));
@@ -74,10 +101,7 @@ impl Builder<'_> {
             Shape::Count,
             Expr::local("gap").count_over(2),
         ));
-        let half = Expr::local("half");
-        let doubles = Test::CountLess(low.clone(), half.clone());
-        let next = |more: Expr| vec![set(TRIED, low.clone().count_add(more))];
-        round.push(Statement::If(doubles, next(low.clone()), next(half)));
+        round.extend(next(&search, search.keeps_first && are_bounded(chains)));
         if search.keeps_first {
             round.push(set(PART, planned));
         }
