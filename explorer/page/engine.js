@@ -5,15 +5,16 @@ const LIMIT = 20000;
 
 const text = (id) => document.getElementById(id).textContent;
 
-async function unpacked(base64) {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+const bytes = (id) => Uint8Array.from(atob(text(id)), (c) => c.charCodeAt(0));
+
+async function gunzipped(packed) {
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer();
 }
 
 /** Answers requests: `ask(request)`, `onanswer(answer, request)`. */
 export class Engine {
-  #bytes = unpacked(text("engine"));
+  #unpack = gunzipped(bytes("unpack"));
   #worker = null;
   #running = null;
   #next = null;
@@ -42,13 +43,13 @@ export class Engine {
   }
 
   async #start() {
-    const bytes = await this.#bytes;
+    const unpack = await this.#unpack;
     const url = URL.createObjectURL(new Blob([text("worker")], { type: "text/javascript" }));
     this.#worker = new Worker(url);
     URL.revokeObjectURL(url);
     this.#worker.onmessage = ({ data }) => this.#end(JSON.parse(data.answer));
     this.#worker.onerror = (event) => this.#end({ fault: event.message });
-    this.#worker.postMessage({ bytes });
+    this.#worker.postMessage({ unpack, packed: bytes("engine") });
   }
 
   #stop() {

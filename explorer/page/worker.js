@@ -1,15 +1,15 @@
-// Runs the generator, a WASI command: one instance for each request, JSON in, JSON out.
+// Unpacks the generator and runs it: WASI commands, one instance for each input.
 "use strict";
 
 const SUCCESS = 0;
 const NOT_SUPPORTED = 58;
 const IN = 0;
 
-let module = null;
+/** The promise of the generator. */
+let engine = null;
 
-/** The answer to a request, or a fault. */
-async function run(request) {
-  const input = new TextEncoder().encode(request);
+/** What a command writes for its input, as a Blob; an error with what it complains of. */
+async function run(module, input) {
   const written = [[], [], []];
   let read = 0;
   let memory = null;
@@ -56,22 +56,33 @@ async function run(request) {
     imports[from] ??= {};
     imports[from][name] = known[name] ?? (() => NOT_SUPPORTED);
   }
-  const text = async (fd) => new Blob(written[fd]).text();
   const instance = await WebAssembly.instantiate(module, imports);
   memory = instance.exports.memory;
   try {
     instance.exports._start();
-    return await text(1);
   } catch (error) {
-    return JSON.stringify({ fault: `${error.message}\n${await text(2)}` });
+    throw new Error(`${error.message}\n${await new Blob(written[2]).text()}`);
+  }
+  return new Blob(written[1]);
+}
+
+/** The generator from what is packed. */
+async function unpacked({ unpack, packed }) {
+  const module = await run(await WebAssembly.compile(unpack), packed);
+  return WebAssembly.compile(await module.arrayBuffer());
+}
+
+/** The answer to a request, or a fault. */
+async function answer(request) {
+  try {
+    const text = await run(await engine, new TextEncoder().encode(request));
+    return await text.text();
+  } catch (error) {
+    return JSON.stringify({ fault: error.message });
   }
 }
 
 onmessage = async ({ data }) => {
-  if (data.bytes) {
-    module = await WebAssembly.compile(data.bytes);
-    return;
-  }
-  while (!module) await new Promise((done) => setTimeout(done, 5));
-  postMessage({ id: data.id, answer: await run(data.request) });
+  if (data.packed) engine = unpacked(data);
+  else postMessage({ id: data.id, answer: await answer(data.request) });
 };

@@ -49,6 +49,7 @@ impl Failure {
     }
 
     /// A call that the emitted program refuses.
+    #[cfg(feature = "lab")]
     pub(crate) fn refused(status: &str, t: f64) -> Self {
         let message = format!("step returns {status} and u = 0, at t = {t} s");
         let help = "a number on the way to u leaves the range of the precision: take f64, smaller gains or other units";

@@ -2,6 +2,7 @@
 //! source, refusals, and the same bytes twice. `cargo assure fmu` simulates them.
 
 mod importer;
+mod steering;
 
 use crate::support;
 

@@ -4,6 +4,7 @@
 
 mod parts;
 mod signals;
+mod steering;
 mod template;
 mod units;
 mod variables;
@@ -91,7 +92,9 @@ pub(super) const TARGET_3: Target = Target {
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
     refuse_macros(spec, found);
-    refuse_flight(spec, "an FMU", found);
+    if spec.axes.is_some() {
+        refuse_flight(spec, "an FMU of several inputs", found);
+    }
     stands_alone(spec, "an FMU", found);
     let signals = Signals::of(spec);
     for parameter in spec.parameters() {

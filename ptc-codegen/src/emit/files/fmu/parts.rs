@@ -96,15 +96,19 @@ impl<'a> Parts<'a> {
 
     /// The variables that are numbers, without the number of samples.
     fn numbers(&self) -> impl Iterator<Item = &Variable> {
-        self.variables.iter().filter(|v| v.parameter != Some(Parameter::Samples))
+        self.variables.iter().filter(|v| v.kind2 == "Real")
+    }
+
+    /// The inputs that are 0 or 1.
+    fn switches(&self) -> Vec<Kept> {
+        let inputs = self.variables.iter().filter(|v| v.causality == "input" && v.kind2 != "Real");
+        inputs.filter_map(kept).collect()
     }
 
     /// Returns the parts that both versions of the interface share.
     fn core(&self, token: &'a str) -> Core<'_> {
         let second = self.version == Version::Two;
         let count = self.variables.iter().find(|v| v.parameter == Some(Parameter::Samples));
-        let kept =
-            |v: &Variable| v.place.clone().map(|place| Kept { reference: v.reference, place });
         let of_start =
             |v: &&Variable| v.parameter == Some(Parameter::StartTime) && v.place.is_some();
         let start_reference = self.variables.iter().find(of_start).map(|v| v.reference);
@@ -125,6 +129,7 @@ impl<'a> Parts<'a> {
             starts: self.starts(),
             conditions: conditions.iter().filter_map(judged).collect(),
             kept: self.numbers().filter_map(kept).collect(),
+            switches: self.switches(),
             constants: self.constants(),
             start_reference,
             samples_reference: count.filter(|v| v.place.is_some()).map(|v| v.reference),
@@ -194,4 +199,10 @@ impl<'a> Parts<'a> {
             outputs: super::variables::outputs(&self.variables),
         }
     }
+}
+
+/// Returns where an input or a parameter is kept.
+fn kept(variable: &Variable) -> Option<Kept> {
+    let place = variable.place.clone()?;
+    Some(Kept { reference: variable.reference, place })
 }

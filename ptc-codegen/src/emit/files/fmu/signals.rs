@@ -1,5 +1,6 @@
 //! The signals of an FMU: what the importer sets at each call, and what it reads, by name.
 
+use super::steering::Steering;
 use super::units::chain_units;
 use crate::request::Spec;
 
@@ -28,6 +29,8 @@ pub(super) struct Signals {
     /// Dimensions of the arrays that hold the states and the references.
     pub(super) of_states: Vec<usize>,
     pub(super) of_references: Vec<usize>,
+    /// What may change in flight.
+    pub(super) steering: Option<Steering>,
 }
 
 impl Signals {
@@ -42,12 +45,23 @@ impl Signals {
             letter,
             of_states,
             of_references,
+            steering: Steering::of(spec),
         }
     }
 
     /// The inputs in the order of their value references, from 1.
     pub(super) fn inputs(&self) -> impl Iterator<Item = &Signal> {
-        self.states.iter().chain(&self.references)
+        self.states.iter().chain(&self.references).chain(self.steered()).chain(self.switches())
+    }
+
+    /// The numbers that change in flight.
+    fn steered(&self) -> &[Signal] {
+        self.steering.as_ref().map_or(&[], |steering| &steering.inputs)
+    }
+
+    /// The inputs that are 0 or 1.
+    pub(super) fn switches(&self) -> &[Signal] {
+        self.steering.as_ref().map_or(&[], |steering| &steering.switches)
     }
 
     /// The number of inputs.

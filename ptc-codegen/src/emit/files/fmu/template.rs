@@ -66,6 +66,8 @@ pub(super) struct Core<'a> {
     pub(super) starts: Vec<Start>,
     pub(super) conditions: Vec<Judged>,
     pub(super) kept: Vec<Kept>,
+    /// The inputs that are 0 or 1.
+    pub(super) switches: Vec<Kept>,
     pub(super) constants: Vec<Constant>,
     pub(super) start_reference: Option<usize>,
     /// Value reference of the number of samples, or its value where it is fixed.

@@ -81,6 +81,20 @@ impl Variable {
         }
     }
 
+    /// An input that is 0 or 1.
+    fn switch(signal: &Signal) -> Self {
+        Self {
+            variability: "discrete",
+            kind2: "Integer",
+            attributes: vec![
+                ("min", "0".to_owned()),
+                ("max", "1".to_owned()),
+                ("start", "0".to_owned()),
+            ],
+            ..Self::input(signal, "Int32")
+        }
+    }
+
     /// An output that depends on all inputs, or on those of its axis.
     fn output(signal: &Signal, signals: &Signals, kind3: &'static str) -> Self {
         let depends = |input: &Signal| signal.axis.is_none() || input.axis == signal.axis;
@@ -105,7 +119,10 @@ impl Variable {
 /// All variables but time, by their value references from 1.
 pub(super) fn variables(spec: &Spec, signals: &Signals, example: &Example) -> Vec<Variable> {
     let kind3 = if spec.precision == Precision::F32 { "Float32" } else { "Float64" };
-    let mut all: Vec<_> = signals.inputs().map(|input| Variable::input(input, kind3)).collect();
+    let switches = signals.switches();
+    let numbers = signals.inputs().take(signals.given() - switches.len());
+    let mut all: Vec<_> = numbers.map(|input| Variable::input(input, kind3)).collect();
+    all.extend(switches.iter().map(Variable::switch));
     all.extend(outputs_of_calls(spec, signals, kind3));
     all.extend(parameters(spec, example, kind3));
     for (index, variable) in all.iter_mut().enumerate() {
@@ -134,19 +151,40 @@ fn outputs_of_calls(spec: &Spec, signals: &Signals, kind3: &'static str) -> Vec<
         exponent: Some(1),
         ..Variable::blank(kind3)
     });
-    let status = of_call("status", STATUS);
+    let status = of_call("status", &status(signals));
     let statuses = std::iter::once(&status).chain(&signals.statuses);
     all.extend(statuses.map(|status| Variable::status(status, signals)));
     let estimates = estimates(spec).into_iter();
     all.extend(
         estimates.map(|(name, about)| Variable::output(&of_call(&name, &about), signals, kind3)),
     );
+    if let Some(steering) = &signals.steering {
+        let planned =
+            of_call("deadline_planned", "Time from the start to rest, as planned now [s]");
+        let soonest = of_call("soonest", SOONEST);
+        let outputs = [Some(planned), steering.soonest.map(|_| soonest)].into_iter().flatten();
+        all.extend(
+            outputs.map(|own| Variable {
+                exponent: Some(1),
+                ..Variable::output(&own, signals, kind3)
+            }),
+        );
+    }
     all
 }
 
+const SOONEST: &str = "Soonest deadline, as a time from the start, that keeps the limits for sure: `deadline` may be set to it at the next sample; -1 without one";
+
 /// The numbers of a status.
-const STATUS: &str =
-    "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to its limits, 3 after the deadline";
+fn status(signals: &Signals) -> String {
+    let known = "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to its limits, 3 after the deadline";
+    match &signals.steering {
+        None => known.to_owned(),
+        Some(_) => format!(
+            "{known}, 5 the deadline was put off, -4 the deadline asked for is too soon and was not taken"
+        ),
+    }
+}
 
 /// The tunable parameters, and those that the design fixes.
 fn parameters(spec: &Spec, example: &Example, kind3: &'static str) -> Vec<Variable> {
