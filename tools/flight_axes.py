@@ -172,6 +172,7 @@ def late(command, options):
     for n, axes, flags, name in designs(draw, options):
         for pace in ("deadline", "soonest"):
             control = Together(command, axes, n, "--late=extend", f"--pace={pace}", *flags)
+            alone = [Alone(command, axis, n, *flags) for axis in axes]
             clipped, worst, off = 0, 0.0, 0
             for _ in range(options.runs):
                 x = [axis.state(draw, n, 0.4) for axis in axes]
@@ -186,10 +187,13 @@ def late(command, options):
                 # After the deadline the last gains bring an axis to rest that is let go.
                 while k < max(control.deadline(), kicked, held) + 10:
                     # A kick may leave an axis without a plan that keeps its bound of speed.
-                    beyond = beyond or control.soonest(states(chains)) is None
+                    found = control.soonest(states(chains))
+                    beyond = beyond or found is None
                     u, status = control.steps(k, chains)
-                    clipped += status == SATURATED and not beyond
                     now = control.deadline()
+                    if status == SATURATED and not beyond:
+                        clipped += 1
+                        bad += not narrow(alone, chains, last - k, found)
                     if (status == LATE) != (now > last) and status != SATURATED:
                         bad += 1
                         print("   deadline and status differ", last, now, status)
@@ -208,17 +212,26 @@ def late(command, options):
                         chains[one].x[-1] += draw.uniform(-0.5, 0.5)
                     k += 1
                 worst = max(worst, *map(abs, states(chains)))
-            bad += bool(clipped) + (worst > 1e-9)
+            bad += worst > 1e-9
             put_off += off
             print(f"{name} {pace}: {options.runs}, {clipped}, {worst:.1e}, {off}", flush=True)
     print(f"{put_off} times put off, {bad} wrong")
     return bad or put_off == 0
 
 
+def narrow(alone, chains, planned, found):
+    """True if the deadlines that all axes keep end before half of their distance from the planned one."""
+    last = planned + (found - planned) * 3 // 2 + 1
+    tried = range(found, last + 1)
+    return not all(one.keeps(samples, chain.x) for samples in tried for one, chain in zip(alone, chains))
+
+
 def told(command, options):
     """Random calls between samples: at rest all the same."""
     draw, worst = random.Random(options.seed), 0.0
     for n, axes, flags, _ in designs(draw, options):
+        if any(most < inf for axis in axes for most in axis.state_max):
+            continue
         control = Together(command, axes, n, "--late=extend", *flags)
         for _ in range(options.runs):
             chains = [Chain(axis.state(draw, n, 0.3), H, axis.gain) for axis in axes]
@@ -245,18 +258,14 @@ def told(command, options):
                 for chain, own in zip(chains, u):
                     chain.move(own)
                 k += 1
-            # Beyond its bound of speed an axis may have no plan: its deadline is one that u alone allows.
-            for _ in range(2):
-                left = (control.deadline() - k) % (1 << 32)
-                left = left if left < 1 << 31 else 0
-                for _ in range(max(left, 0)):
-                    u, _ = control.steps(k % (1 << 32), chains)
-                    for chain, own in zip(chains, u):
-                        chain.move(own)
-                    k += 1
-                if max(map(abs, states(chains))) < 1e-9:
-                    break
-                control.arm_for(k % (1 << 32), 3000)
+            control.arm_for(k % (1 << 32), draw.randrange(n, 3000))
+            control.steps(k % (1 << 32), chains)
+            for elapsed in range((control.deadline() - k) % (1 << 32)):
+                u, status = control.steps((k + elapsed) % (1 << 32), chains)
+                if status == SATURATED:
+                    raise ValueError("u is clipped")
+                for chain, own in zip(chains, u):
+                    chain.move(own)
             worst = max(worst, *map(abs, states(chains)))
     print(f"off by {worst:.2e} at most")
     return worst > 1e-9

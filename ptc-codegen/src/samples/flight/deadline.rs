@@ -67,10 +67,13 @@ impl Builder<'_> {
         }
     }
 
-    /// The fewest samples to a deadline in flight: those in which the law can bring the loop to rest.
-    fn least_deadline(&self) -> u32 {
-        let order = u32::try_from(self.spec.loop_order()).unwrap_or(u32::MAX);
-        order.saturating_add(self.spare())
+    /// The fewest samples to a deadline in flight: those in which every law can bring its loop to rest.
+    fn least_deadline(&mut self) -> u32 {
+        let each = self.of_each_law(|own| {
+            let order = u32::try_from(own.spec.loop_order()).unwrap_or(u32::MAX);
+            order.saturating_add(own.spare())
+        });
+        each.into_iter().max().unwrap_or_default()
     }
 
     /// The samples for which a table has gains.

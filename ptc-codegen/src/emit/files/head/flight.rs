@@ -9,10 +9,11 @@ use crate::syntax::constant;
 /// Describes what may change in flight, and the theorem from which deadlines are planned.
 pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     let Some(flight) = &sampled.flight else { return Vec::new() };
-    let mut lines = vec![
-        "In flight: arm_for sets another deadline at any tick; rest is exact from any state, so all else stays as it is."
-            .to_owned(),
-    ];
+    let exact = match spec.model.is_some() || spec.coupled.is_some() && sampled.exact.is_none() {
+        true => "",
+        false => "; rest is exact from any state, so all else stays as it is",
+    };
+    let mut lines = vec![format!("In flight: arm_for sets another deadline at any tick{exact}.")];
     if sampled.horizons(spec).is_none() {
         return lines;
     }

@@ -43,11 +43,13 @@ impl Reader<'_> {
         if spec.what == What::Observer {
             return None;
         }
-        if spec.model.is_some() || spec.coupled.is_some() {
+        let planned = if late == Late::Clip { alone } else { Some(key) };
+        if let Some(key) = planned.filter(|_| spec.model.is_some() || spec.coupled.is_some()) {
             let place = self.keys.get(key).map(|node| node.place);
             let message = format!("`{key}` beside a model, or a plant with several inputs");
-            let help = "deadlines change for chains, one or `axes` of them, and for one plant A, B: leave it out";
+            let help = "deadlines are planned for chains, one or `axes` of them; `in_flight` = true lets this one change, without a plan";
             self.wrong(key, place, message, help.to_owned());
+            return None;
         }
         if let Some(Reference::Known(_)) = spec.reference {
             let place = self.keys.get(key).map(|node| node.place);
