@@ -108,6 +108,9 @@ impl Matlab<'_> {
             Some(Shape::Reals(n)) if self.has_status() => {
                 self.out.line(format!("{} = zeros({n}, 1, '{real}');", self.result));
             }
+            Some(Shape::Count) if self.has_status() => {
+                self.out.line(format!("{} = uint32(0);", self.result));
+            }
             Some(Shape::Gains) => self.no_gains(),
             _ => {}
         }
@@ -202,6 +205,9 @@ impl Matlab<'_> {
         }
         if function.failures.contains(&Status::Range) {
             self.out.line(if self.gives == Gives::Progress { PROGRESS } else { STATUSES });
+        }
+        if self.gives == Gives::Count && self.has_status() {
+            self.out.line("%     -4  there is none");
         }
         self.out.line("");
     }
