@@ -5,7 +5,7 @@
 #
 # In a fresh Debian root, with what README.md says one needs and nothing else, it clones HEAD and runs the
 # first `emit`, `simulate` and `verify` of README.md, and any COMMAND after them, each a line of shell such as
-# 'cargo test --workspace'. It prints the table that `ptc-bench report` puts into docs/BENCHMARKS.md. It needs
+# 'cargo test --workspace'. It prints the table that `ptc-bench report` puts into docs/benchmarks/builds.md. It needs
 # root and debootstrap; without them it says so, and uses an empty home on this system.
 #
 # RUST    the toolchain, mounted read-only in place of the one that rustup would download; default: this one

@@ -19,6 +19,9 @@ pub enum Status {
     Gated,
     /// The deadline was put off to the soonest one that keeps the limits, as one of them would have been exceeded.
     Late,
+    /// The bounds of a filter, `what = filter`, cannot be kept from this state, or not all of them: u is the nearest to
+    /// them that its limits allow.
+    Infeasible,
 }
 
 /// The control of one step; `R` is the floating-point type of the controller.

@@ -96,7 +96,7 @@ pub use error::Error;
 /// | `kappa` | the same mapping by its inverse, in place of `mu` | an expression in the elapsed time: `-ln(1 - dt/tau)/a` | `mu` |
 /// | `name` | name of the controller | an identifier of at most 48 letters, digits and `_`; made CamelCase | `ptc_<family><n>` |
 /// | `units` | unit of x1, from which the docs give those of x2..xn and u | a word of at most 16 letters, `rad` | any |
-/// | `what` | what is generated | `controller`; `associated`: the infinite-time system on which pi0 is designed; `observer`: the observer in samples alone | `controller` |
+/// | `what` | what is generated | `controller`; `associated`: the infinite-time system on which pi0 is designed; `observer`: the observer in samples alone; `filter`: bounds of the states under any controller | `controller` |
 /// | `clock` | what a call is given | `time`: t; `samples`: the number of the sample, for the exact law in samples | `time` |
 /// | `precision` | floating-point type | `f64` or `f32` | `f64` |
 /// | `fma` | products and sums as fused multiply-adds, with one rounding; fast where the target has them | `true` or `false` | `false` |
@@ -157,6 +157,10 @@ pub use error::Error;
 /// | `innovation_max` | bound of \|y - predicted y\| beyond which the observer predicts alone; with `coast` | a number > 0, or one for each measured value | |
 /// | `measurement_max` | range of the sensor: a larger reading counts as lost; with an observer | a number > 0, or one for each measured value | |
 /// | `coast` | consecutive samples that the observer predicts alone; with `clock = samples` | an integer 0..=65535 | 0 |
+/// | `keep_below` | upper bounds of x1, x2, ... that a filter keeps; with `what = filter` | a number or `inf` for each, the last ones may be left out | `inf` |
+/// | `keep_above` | lower bounds of x1, x2, ... that a filter keeps | a number or `-inf` for each, the last ones may be left out | `-inf` |
+/// | `keep_poles` | poles in 1/s with which the states approach these bounds | n numbers < 0 | |
+/// | `keep_tolerance` | distance beyond its bounds at which a state counts as within them | a number > 0 for each, the last ones may be left out | 2^-30 of the greater bound, in f32 2^-12 |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0; with several outputs in samples also a list for each | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
 /// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope`, `zeros` | none |

@@ -13,7 +13,7 @@
     python3 tools/samples.py swing COMMAND   linear plants with the law of a flat output and that of least energy
 
 COMMAND is the path of ptc-codegen. Needs mpmath and a C compiler called cc.
-`rest`, `alone`, `follow` and `machines` end with 1 where more is left than docs/samples.md claims, as it is with --gain 1.000001, a
+`rest`, `alone`, `follow` and `machines` end with 1 where more is left than docs/benchmarks/samples.md claims, as it is with --gain 1.000001, a
 plant that is not the controller's, and then at once.
 """
 

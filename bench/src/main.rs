@@ -1,5 +1,5 @@
 //! Measures the generated code and the generator. Without a sub-command everything but the cost
-//! of builds is measured, and docs/BENCHMARKS.md and docs/benchmarks.svg are written.
+//! of builds is measured, and the pages of docs/benchmarks and docs/benchmarks.svg are written.
 
 mod accuracy;
 mod axes;
@@ -73,7 +73,7 @@ enum Command {
     Generator,
     /// What equality saturation finds beyond the passes, for small kernels
     Egg,
-    /// Print the instructions a step with a clock in samples, the table in docs/samples.md
+    /// Print the instructions a step with a clock in samples, the table in docs/benchmarks/samples.md
     Samples,
     /// Processor time and instructions a scenario of `verify`, threads and memory; builds the laboratory
     Campaigns {
@@ -81,7 +81,7 @@ enum Command {
         #[arg(long, value_name = "TEXT")]
         only: Option<String>,
     },
-    /// Write docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last
+    /// Write the pages of docs/benchmarks and docs/benchmarks.svg from the last measurements
     Report,
     /// Expand the Bell polynomials and end, for the profiler
     #[command(name = generator::PROBE, hide = true)]
@@ -120,8 +120,9 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Models) => models(line),
         Some(Command::Moves) => {
             let measured = moves::measure()?;
-            print!("{}", report::moves(&measured));
-            report::keep("moves", &measured)
+            report::keep("moves", &measured)?;
+            print!("{}", report::moves(measured));
+            Ok(())
         }
         Some(Command::Generator) => generator(line),
         Some(Command::Egg) => report::keep("egg", &equality::measure()?),
@@ -130,7 +131,7 @@ fn execute(line: &CommandLine) -> Result<()> {
             report::keep("campaigns", &campaigns::measure("")?)
         }
         Some(Command::Campaigns { only: Some(text) }) => {
-            print!("{}", report::campaigns(&campaigns::measure(text)?));
+            print!("{}", report::campaigns(campaigns::measure(text)?));
             Ok(())
         }
         Some(Command::Report) => report::write(),

@@ -26,7 +26,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 71] = [
+pub static KEYS: [KeyInfo; 75] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -71,8 +71,8 @@ pub static KEYS: [KeyInfo; 71] = [
     },
     KeyInfo {
         key: "what",
-        meaning: "what to generate: the controller, the infinite-time system on which pi0 is designed, or the observer alone",
-        legal: "controller, associated or observer",
+        meaning: "what to generate: the controller, the infinite-time system on which pi0 is designed, the observer alone, or a filter that keeps bounds under any controller",
+        legal: "controller, associated, observer or filter",
         example: "associated",
     },
     KeyInfo {
@@ -429,6 +429,30 @@ pub static KEYS: [KeyInfo; 71] = [
         meaning: "consecutive samples that the observer predicts alone where readings are lost or not believed; with clock = samples",
         legal: "an integer 0..=65535; 0 if not given",
         example: "5",
+    },
+    KeyInfo {
+        key: "keep_below",
+        meaning: "upper bounds of x1, x2, ... that a filter keeps, whatever the controller wants; with what = filter",
+        legal: "a number or inf for each of x1..xn, where the last ones may be left out",
+        example: "0.5,0.8",
+    },
+    KeyInfo {
+        key: "keep_above",
+        meaning: "lower bounds of x1, x2, ... that a filter keeps; with what = filter",
+        legal: "a number or -inf for each of x1..xn, where the last ones may be left out",
+        example: "-0.5,-0.8",
+    },
+    KeyInfo {
+        key: "keep_poles",
+        meaning: "poles in 1/s with which the states approach their bounds: faster ones interfere later and need more u; with what = filter",
+        legal: "n numbers < 0",
+        example: "-5,-20",
+    },
+    KeyInfo {
+        key: "keep_tolerance",
+        meaning: "distance beyond its bounds at which x1, x2, ... count as within them, above the noise of the sensors; with what = filter",
+        legal: "a number > 0 for each of x1..xn, where the last ones may be left out",
+        example: "1e-4,1e-3",
     },
     KeyInfo {
         key: "x0_max",

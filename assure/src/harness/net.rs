@@ -1,5 +1,5 @@
 //! A design of each kind, for what all of them must keep: the clock in samples with its observers, delays, disturbances and
-//! references, models, several inputs, axes, deadlines in flight, and the examples.
+//! references, models, several inputs, axes, filters, deadlines in flight, and the examples.
 
 use std::fs;
 use std::path::Path;
@@ -17,6 +17,7 @@ pub fn designs() -> Vec<(String, Spec)> {
     all.push(goldens::of_inputs());
     let named = all.into_iter().map(|spec| (spec.name(), spec));
     named
+        .chain(of_folder("filter", "tests/designs/filter"))
         .chain(of_folder("flight", "tests/designs/flight"))
         .chain(of_folder("example", "examples"))
         .collect()

@@ -156,6 +156,7 @@ pub extern \"C\" fn drive_{index}(record: *const {real}, status: *mut i32, u: *m
             Status::After => 3,
             Status::Gated => 4,
             Status::Late => 5,
+            Status::Infeasible => 6,
         }}, control.u),
         Err(Error::Param) => (-1, 0.0),
         Err(Error::Input) => (-2, 0.0),

@@ -16,16 +16,14 @@ pub(super) const LAYER: Layer = Layer {
     claim: "Emitted C with a clock in samples, in the loop with the exact chain in 120 digits, is at \
             rest at sample N, and an observer alone has the state at sample N_o: orders 1 to 4, \
             delays, N = n + 2 too, observers, unknown forces, references. The figures of \
-            docs/time.md, docs/samples.md and docs/references.md are those of this machine.",
+            docs/time.md and docs/benchmarks/samples.md are those of this machine.",
     tools: &[PYTHON],
     run,
 };
 
 const TIME: &str = include_str!("../../../docs/time.md");
 
-const PAGE: &str = include_str!("../../../docs/samples.md");
-
-const REFERENCES: &str = include_str!("../../../docs/references.md");
+const PAGE: &str = include_str!("../../../docs/benchmarks/samples.md");
 
 fn run(context: &Context) -> Result<Finding> {
     let python = runtime::python(&context.shared("samples"), &["mpmath>=1.3", "gmpy2"])?;
@@ -35,7 +33,7 @@ fn run(context: &Context) -> Result<Finding> {
     let all = vec![
         ("rest", PAGE, Some("a plant with an input gain off by 1e-6")),
         ("alone", PAGE, Some("an observer of a plant with an input gain off by 1e-6")),
-        ("follow", REFERENCES, Some("a plant that follows with an input gain off by 1e-6")),
+        ("follow", PAGE, Some("a plant that follows with an input gain off by 1e-6")),
         ("stage", PAGE, None),
         ("energy", PAGE, None),
         ("table", TIME, None),

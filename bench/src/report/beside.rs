@@ -36,7 +36,7 @@ Other generators' C and C++ for the same law beside ours, in one binary, all par
 double precision, `gcc -O2`. The others are given kappa and mu as the paper writes them, and by
 `_diff` and `_mu` two ways to r_k; `sympy_cse` is plain SymPy, `sympy_tuned` simplifies each r_k and
 writes powers as products; `hand` and `hand_loop` are written by hand. They have one function, which
-computes from the parameters at each call what ours keeps from `init`. Errors are scaled as above:
+computes from the parameters at each call what ours keeps from `init`. Errors are scaled as in [Accuracy](steps.md#accuracy):
 first for T/tau >= 0.01, then to 1e-12. The ratio is of instructions, to the best of the others at
 that family and order. A peer that is not listed took longer than 60 s to generate or wrote more
 than 1 MB. Set up and generate with
@@ -48,10 +48,6 @@ than 1 MB. Set up and generate with
 
 pub(super) fn peers(text: &mut String, peers: &[Entry]) {
     section(text, "Beside other generators", "peers", PEERS);
-    if peers.is_empty() {
-        text.push_str("\nNot run.\n");
-        return;
-    }
     text.push_str("| family | n | generator | instructions | to the best other | bytes of code | error | error at the deadline |\n");
     text.push_str("| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: |\n");
     let mut sorted: Vec<_> = peers.iter().collect();

@@ -1,11 +1,10 @@
-//! `report`: docs/BENCHMARKS.md and docs/benchmarks.svg from what was measured last.
+//! `report`: the pages of docs/benchmarks and docs/benchmarks.svg from the last measurements.
+//! docs/BENCHMARKS.md, their conclusions, is written by hand.
 
 mod beside;
 mod moves;
 mod plot;
 mod tables;
-
-use std::fmt::Write as _;
 
 use serde::de::DeserializeOwned;
 
@@ -19,7 +18,6 @@ use crate::failure::Result;
 use crate::fused::Fused;
 use crate::generator::{Bell, Speed};
 use crate::latency::Latency;
-use crate::models::Model;
 use crate::moves::Move;
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
@@ -41,85 +39,85 @@ fn kept<T: DeserializeOwned>(name: &str) -> Result<Option<T>> {
 }
 
 const INTRODUCTION: &str = "\
-# Benchmarks
+Counts of instructions repeat exactly on the same versions of compiler and mathematical library; times do not.
+[All benchmarks](../BENCHMARKS.md).
 
-How much the generated code costs, how accurate it is, and how fast it is generated. One command
-measures everything and writes this page and its plot again:
-
-    cargo run --release -p ptc-bench
-
-It needs gcc and valgrind, and for the other generators Python, set up as below. Counts of
-instructions repeat exactly on the same versions of compiler and mathematical library; times do not.
+| measured with |
+| --- |
 ";
 
 /// The table of campaigns, as the page has it.
-pub(crate) fn campaigns(measured: &[Campaign]) -> String {
-    let mut text = String::new();
-    tables::campaigns(&mut text, measured);
-    text
+pub(crate) fn campaigns(measured: Vec<Campaign>) -> String {
+    section(measured, tables::campaigns)
 }
 
 /// The section of motions, as the page has it.
-pub(crate) fn moves(measured: &[Move]) -> String {
+pub(crate) fn moves(measured: Vec<Move>) -> String {
+    section(measured, moves::moves)
+}
+
+/// Writes the pages of which something was measured, and the plot.
+pub(crate) fn write() -> Result<()> {
+    let docs = workspace().join("docs");
+    std::fs::create_dir_all(docs.join("benchmarks"))?;
+    let peers: Vec<Entry> = kept("peers")?.unwrap_or_default();
+    if let Some(counts) = kept::<Vec<Count>>("counts")? {
+        plot::plot(&docs.join("benchmarks.svg"), &counts, &peers)?;
+        println!("wrote docs/benchmarks.svg");
+    }
+    let pages = [
+        ("steps", "Code of a step", steps()?),
+        ("generators", "Other generators", section(peers, beside::peers)),
+        ("models", "Models", section(kept("models")?.unwrap_or_default(), beside::models)),
+        ("moves", "Motions", section(kept("moves")?.unwrap_or_default(), moves::moves)),
+        (
+            "campaigns",
+            "Verification campaigns",
+            section(kept("campaigns")?.unwrap_or_default(), tables::campaigns),
+        ),
+        ("builds", "Generating and building", builds()?),
+    ];
+    for (name, title, sections) in pages.into_iter().filter(|(.., text)| !text.is_empty()) {
+        let machine: String = machine().iter().map(|line| format!("| {line} |\n")).collect();
+        let text = format!("# {title}\n\n{INTRODUCTION}{machine}{sections}");
+        std::fs::write(docs.join("benchmarks").join(format!("{name}.md")), text)?;
+        println!("wrote docs/benchmarks/{name}.md");
+    }
+    Ok(())
+}
+
+/// Returns the section of what was measured; without measurements it is empty.
+fn section<T>(measured: Vec<T>, write: fn(&mut String, &[T])) -> String {
     let mut text = String::new();
-    moves::moves(&mut text, measured);
+    if !measured.is_empty() {
+        write(&mut text, &measured);
+    }
     text
 }
 
-/// Writes both files.
-pub(crate) fn write() -> Result<()> {
-    let mut text = String::from(INTRODUCTION);
-    text.push_str("\n| measured with |\n| --- |\n");
-    for line in machine() {
-        let _ = writeln!(text, "| {line} |");
+/// Returns the sections of the page on the code of a step.
+fn steps() -> Result<String> {
+    let mut text = section(kept::<Vec<Count>>("counts")?.unwrap_or_default(), tables::counts);
+    if !text.is_empty() {
+        text.insert_str(0, "\n![Instructions per step over the order](../benchmarks.svg)\n");
     }
-    let counts: Option<Vec<Count>> = kept("counts")?;
-    let peers: Option<Vec<Entry>> = kept("peers")?;
-    let docs = workspace().join("docs");
-    std::fs::create_dir_all(&docs)?;
-    if let Some(counts) = &counts {
-        text.push_str("\n![Instructions per step over the order](benchmarks.svg)\n");
-        tables::counts(&mut text, counts);
-        plot::plot(&docs.join("benchmarks.svg"), counts, peers.as_deref().unwrap_or(&[]))?;
-    }
-    if let Some(steps) = kept::<Vec<Step>>("axes")? {
-        beside::axes(&mut text, &steps);
-    }
-    if let Some(fused) = kept::<Vec<Fused>>("fma")? {
-        tables::fused(&mut text, &fused);
-    }
-    if let Some(latency) = kept::<Vec<Latency>>("latency")? {
-        tables::latency(&mut text, &latency);
-    }
-    if let Some(accuracy) = kept::<Vec<Accuracy>>("accuracy")? {
-        tables::accuracy(&mut text, &accuracy);
-    }
-    beside::peers(&mut text, peers.as_deref().unwrap_or(&[]));
-    if let Some(models) = kept::<Vec<Model>>("models")? {
-        beside::models(&mut text, &models);
-    }
-    if let Some(measured) = kept::<Vec<Move>>("moves")? {
-        moves::moves(&mut text, &measured);
-    }
-    if let Some(speeds) = kept::<Vec<Speed>>("generator")? {
-        tables::generator(&mut text, &speeds);
-    }
-    if let Some(campaigns) = kept::<Vec<Campaign>>("campaigns")? {
-        tables::campaigns(&mut text, &campaigns);
-    }
-    if let Some(bells) = kept::<Vec<Bell>>("bell")? {
-        beside::bells(&mut text, &bells);
-    }
-    if let Some(found) = kept::<Vec<Found>>("egg")? {
-        beside::saturation(&mut text, &found);
-    }
+    text += &section(kept::<Vec<Step>>("axes")?.unwrap_or_default(), beside::axes);
+    text += &section(kept::<Vec<Fused>>("fma")?.unwrap_or_default(), tables::fused);
+    text += &section(kept::<Vec<Latency>>("latency")?.unwrap_or_default(), tables::latency);
+    text += &section(kept::<Vec<Accuracy>>("accuracy")?.unwrap_or_default(), tables::accuracy);
+    Ok(text)
+}
+
+/// Returns the sections of the page on the cost of generating and building.
+fn builds() -> Result<String> {
+    let mut text = section(kept::<Vec<Speed>>("generator")?.unwrap_or_default(), tables::generator);
+    text += &section(kept::<Vec<Bell>>("bell")?.unwrap_or_default(), beside::bells);
+    text += &section(kept::<Vec<Found>>("egg")?.unwrap_or_default(), beside::saturation);
     if let Some(cost) = kept::<Builds>("builds")? {
         tables::builds(&mut text, cost);
     }
     if let Ok(table) = std::fs::read_to_string(results()?.join("new-user.md")) {
         tables::new_user(&mut text, &table);
     }
-    std::fs::write(docs.join("BENCHMARKS.md"), text)?;
-    println!("wrote docs/BENCHMARKS.md and docs/benchmarks.svg");
-    Ok(())
+    Ok(text)
 }

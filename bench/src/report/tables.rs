@@ -170,7 +170,7 @@ pub(super) fn latency(text: &mut String, found: &[Latency]) {
 
 const ACCURACY: &str = "\
 The worst scaled error |u - reference| / scale of generated C against the vectors of
-[tests/data](../tests/data/README.md), which were computed with 160 digits and more: time-to-go from
+[tests/data](../../tests/data/README.md), which were computed with 160 digits and more: time-to-go from
 T = tau down to T/tau = 1e-12 in double precision and 1e-6 in single, start times up to 1e4. In
 brackets T/tau at the worst point.";
 
@@ -210,7 +210,7 @@ const CAMPAIGNS: &str = "\
 `ptc-codegen verify DESIGN --scenarios 524288` less the same with 64 scenarios, whose rest (corners, search, proofs) it is; half as many,
 and again, down to 512, where they take more than 4 s.
 A scenario is run on both sides of Theorem 1 and looked at at 80 instants and more, to a relative error of 1e-9: two
-trajectories. The designs are [examples/campaign.toml](../examples/campaign.toml) and the same with what is named.
+trajectories. The designs are [examples/campaign.toml](../../examples/campaign.toml) and the same with what is named.
 Instructions by callgrind, 64 to 256 scenarios on one thread, with the vectors of AVX2; processor time the least of 3
 rounds; pace by the clock. What is not smooth in the state, or comes near its bound u_max, is run one scenario at a time.
 The last three designs are without damping and slip: the loop is linear in stretched time, then it is sampled (one

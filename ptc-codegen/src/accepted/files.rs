@@ -64,6 +64,7 @@ impl Accepted {
     /// # Errors
     /// What has no self-test.
     pub fn selftest(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
+        self.report.spec.needs_no_filter("a self-test")?;
         within(|| match &self.staged {
             Some(_) => {
                 let test = selftest::SelfTest::new(&self.controller())?;
@@ -84,6 +85,7 @@ impl Accepted {
     /// A fault of the generator.
     pub fn files_with_proof(&self) -> Result<Vec<File>, Vec<Diagnostic>> {
         self.report.spec.needs_one_axis("a proof")?;
+        self.report.spec.needs_no_filter("a proof")?;
         self.report.spec.needs_no_fma("a proof with Frama-C")?;
         within(|| match &self.staged {
             Some(_) => Ok(emit::emit_with_proof(&self.controller())),

@@ -77,7 +77,11 @@ fn in_range(spec: &Spec) -> Result<(), Vec<Diagnostic>> {
     let mut found = Diagnostics::default();
     if let Some(lost) = sampled.and_then(|code| code.out_of_range()) {
         let precision = spec.precision.name();
-        let of = if spec.what == What::Observer { "observer" } else { "law" };
+        let of = match spec.what {
+            What::Observer => "observer",
+            What::Filter => "filter",
+            What::Controller | What::Associated => "law",
+        };
         let size = if lost.numer().bits() > lost.denom().bits() { "large" } else { "small" };
         found.push(
             "overflow",

@@ -8,6 +8,7 @@
 pub mod deadline;
 pub mod envelope;
 pub mod examine;
+mod filter;
 pub mod growth;
 pub mod membership;
 pub mod resolved;

@@ -1,6 +1,11 @@
 //! `check`: what every check says of a design.
 
+#[cfg(feature = "lab")]
+mod picture;
+
 use std::fmt::Write;
+#[cfg(feature = "lab")]
+use std::path::PathBuf;
 
 use crate::accepted::Accepted;
 use crate::check::examine::{Report, examine_expanded};
@@ -32,6 +37,7 @@ Examples:
   ptc-codegen check roll.toml
   ptc-codegen check roll.toml --sample-time 1e-3 --format json
   ptc-codegen check roll.toml --margins
+  ptc-codegen check encoder.toml --plot feasible.svg
   ptc-codegen check --n 2 --mu \"exp(a=1)\" --poles=-4,-5";
 
 /// What is asked of a check.
@@ -47,6 +53,11 @@ pub(crate) struct Check {
     /// `loop` some 60 times)
     #[arg(long)]
     pub(crate) margins: bool,
+    /// Draw from which x1 and x2 the limits of u and of the states allow which deadline, with a clock
+    /// in samples: .svg, .png or .pdf
+    #[cfg(feature = "lab")]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
     /// Notation
     #[arg(long, value_enum, default_value = "text")]
     pub(crate) format: ListFormat,
@@ -54,6 +65,8 @@ pub(crate) struct Check {
 
 /// Runs `check`.
 pub(crate) fn check(request: &Check) -> Result<(), Failure> {
+    #[cfg(feature = "lab")]
+    let plot = picture::Plot::of(request.design.design.as_deref(), request.plot.as_deref())?;
     let source = request.spec.0.with_design(request.design.design.as_deref())?;
     let given = source.parse();
     let (mut spec, plant) = given.read_with_plant()?;
@@ -63,6 +76,10 @@ pub(crate) fn check(request: &Check) -> Result<(), Failure> {
     let expanded = request.engine.engine.prepare(&mut spec)?;
     let report = checking(|| examine_expanded(&spec, expanded));
     let refused = report.refusals().next().is_some();
+    #[cfg(feature = "lab")]
+    if let Some(plot) = plot {
+        note(plot.write(&report.spec)?.trim_end());
+    }
     let margins =
         request.margins.then(|| checking(|| margins(&report.spec, report.expanded.as_ref())));
     write::to_stdout(&match request.format {

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use crate::plot::Figure;
+use crate::plot::Picture;
 
-use super::page::undrawn;
 use super::report::Failure;
 
 /// Format of a picture.
@@ -31,7 +30,7 @@ impl Kind {
     }
 
     /// The file of a picture.
-    pub(crate) fn file(self, figure: &Figure) -> Result<Vec<u8>, Failure> {
+    pub(crate) fn file(self, figure: &impl Picture) -> Result<Vec<u8>, Failure> {
         let drawn = match self {
             Self::Svg => figure.svg().map(String::into_bytes),
             Self::Png => figure.png(),
@@ -39,4 +38,10 @@ impl Kind {
         };
         drawn.map_err(|wrong| undrawn(&wrong))
     }
+}
+
+/// A picture that cannot be drawn.
+pub(crate) fn undrawn(wrong: &str) -> Failure {
+    let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
+    Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
 }

@@ -46,7 +46,7 @@ pub(crate) fn schema() -> String {
         "items": table(&OBJECTIVE_KEYS, false),
     });
     let events = json!({
-        "description": "what happens in a simulated run",
+        "description": "what happens in a run of simulate or verify",
         "type": "array",
         "items": table(&EVENT_KEYS, false),
     });

@@ -66,6 +66,9 @@ pub struct Variable {
     pub about: String,
 }
 
+/// The argument of a filter that is the u of a controller.
+pub const NOMINAL: &str = "u_nominal";
+
 /// A controller.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Code {
@@ -133,7 +136,16 @@ impl Code {
 
     /// Returns its noun in descriptions.
     pub fn noun(&self) -> &'static str {
-        if self.function("update").is_some() { "observer" } else { "controller" }
+        if self.function("update").is_some() {
+            return "observer";
+        }
+        if self.is_filter() { "filter" } else { "controller" }
+    }
+
+    /// Returns true if `step` takes the u of a controller, which it filters.
+    pub fn is_filter(&self) -> bool {
+        let step = self.function("step");
+        step.is_some_and(|step| step.arguments.iter().any(|argument| argument.name == NOMINAL))
     }
 
     /// The number of its axes, or of the inputs of its plant, where `step` is that of several.

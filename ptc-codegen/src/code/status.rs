@@ -18,6 +18,8 @@ pub enum Status {
     Gated,
     /// The deadline was put off, as a limit would have been exceeded.
     Late,
+    /// Bounds of a filter that cannot be kept from this state, or not all of them.
+    Infeasible,
     /// A parameter outside its domain, or a coefficient that overflows.
     Param,
     /// An argument that is not finite.
@@ -38,6 +40,7 @@ impl Status {
             Self::After => "After",
             Self::Gated => "Gated",
             Self::Late => "Late",
+            Self::Infeasible => "Infeasible",
             Self::Param => "Param",
             Self::Input => "Input",
             Self::Range => "Range",
@@ -55,6 +58,7 @@ impl Status {
             Self::After,
             Self::Gated,
             Self::Late,
+            Self::Infeasible,
             Self::Param,
             Self::Input,
             Self::Range,
@@ -73,6 +77,7 @@ impl Status {
             Self::After => 3,
             Self::Gated => 4,
             Self::Late => 5,
+            Self::Infeasible => 6,
             Self::Param => -1,
             Self::Input => -2,
             Self::Range => -3,

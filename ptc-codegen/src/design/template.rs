@@ -58,7 +58,7 @@ fn of_verify() -> String {
     );
     text.push_str("\n# What has to hold: a table for each objective.\n# [[objective]]\n");
     text.extend(OBJECTIVE_KEYS.iter().map(|info| entry(info, None)));
-    text.push_str("\n# What happens in a simulated run: a table for each event.\n# [[event]]\n");
+    text.push_str("\n# What happens in a run of `simulate` or `verify`: a table for each event.\n# [[event]]\n");
     text.extend(EVENT_KEYS.iter().map(|info| entry(info, None)));
     text
 }

@@ -67,6 +67,11 @@ impl Diagnostics {
         });
     }
 
+    /// Notes mistakes that another reader found.
+    pub fn extend(&mut self, found: Vec<Diagnostic>) {
+        self.0.extend(found);
+    }
+
     /// Returns true if no error was found so far.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

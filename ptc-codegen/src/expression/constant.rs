@@ -20,6 +20,18 @@ pub(crate) fn real(node: &Node) -> Option<Fixed> {
     }
 }
 
+/// Returns the ends of `[lower, upper]`, or one finite number for both, as doubles.
+pub(crate) fn interval(node: &Node) -> Option<(f64, f64)> {
+    let number = |node: &Node| real(node)?.number()?.to_f64().filter(|own| own.is_finite());
+    match &node.value {
+        Value::List(items) => match items.as_slice() {
+            [low, high] => number(low).zip(number(high)),
+            _ => None,
+        },
+        _ => number(node).map(|value| (value, value)),
+    }
+}
+
 fn irrational(node: &Node) -> Option<BigRational> {
     let scope = Scope { subject: Subject::Bound, n: 0, known: &[], own: &[] };
     let expression = resolve(node, scope, &mut Diagnostics::default())?;

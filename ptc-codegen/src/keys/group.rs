@@ -14,7 +14,7 @@ pub struct Group {
 }
 
 /// All groups, in the order in which they are listed.
-pub static GROUPS: [Group; 6] = [
+pub static GROUPS: [Group; 7] = [
     Group {
         title: "Code",
         common: &["name", "precision"],
@@ -67,6 +67,11 @@ pub static GROUPS: [Group; 6] = [
             "measurement_max",
             "coast",
         ],
+    },
+    Group {
+        title: "Filter",
+        common: &["keep_below", "keep_above", "keep_poles"],
+        rare: &["keep_tolerance"],
     },
     Group {
         title: "Checks",

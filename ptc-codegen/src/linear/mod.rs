@@ -25,11 +25,12 @@ pub(crate) use between::{Between, Part, drift};
 pub use complex::Complex;
 pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
+pub(crate) use exponential::exponential;
 #[cfg(feature = "simulate")]
 pub(crate) use flow::norm;
 pub(crate) use flow::{Rows, flow};
 pub use following::Following;
-pub(crate) use horizon::{Bound, Curve, Horizon, Plan, Signal, Stretch};
+pub(crate) use horizon::{Bound, Curve, Horizon, Peak, Plan, Signal, Stretch};
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
 pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, power_of_period, zero_order_hold};

@@ -1,11 +1,13 @@
-//! Pictures of runs: states, control and bounds over time, and the view in stretched time.
+//! Pictures of runs: states, control and bounds over time, and the view in stretched time; level curves in a plane.
 //!
 //! The same drawing becomes SVG, PNG and PDF. The page is white, which prints; where a reader's page is
 //! dark, SVG turns dark with it. Runs differ by their dashes too, so that no colour is needed.
 
 mod band;
 mod chart;
+mod contours;
 mod curve;
+mod drawing;
 mod histogram;
 mod panel;
 mod pdf;
@@ -16,11 +18,14 @@ mod single;
 mod style;
 
 use plotters::drawing::DrawingArea;
-use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
+use plotters::prelude::DrawingBackend;
 
 use crate::program::range::Range;
 pub use band::Band;
+pub use contours::{Contour, Contours};
 pub use curve::Curve;
+use drawing::Drawing;
+pub use drawing::Picture;
 pub use histogram::Histogram;
 use panel::Panel;
 pub use quantity::Quantity;
@@ -88,36 +93,6 @@ const HEAD: u32 = 38;
 const LEGEND: u32 = 26;
 
 impl Figure {
-    /// As the text of an SVG file.
-    ///
-    /// # Errors
-    /// A drawing that cannot be made, such as one of values that are no numbers.
-    pub fn svg(&self) -> Result<String, String> {
-        let mut text = String::new();
-        let (width, height) = self.size(Pen::FINE)?;
-        let size = (Pen::FINE.px(width), Pen::FINE.px(height));
-        self.draw(SVGBackend::with_string(&mut text, size).into_drawing_area(), Pen::FINE)?;
-        Ok(style::finished(&text, (width, height)))
-    }
-
-    /// As the bytes of a PNG file.
-    ///
-    /// # Errors
-    /// As [`Self::svg`].
-    pub fn png(&self) -> Result<Vec<u8>, String> {
-        pixels::png(self.size(Pen::PIXELS)?, |area| self.draw(area, Pen::PIXELS))
-    }
-
-    /// As the bytes of a PDF file of one page.
-    ///
-    /// # Errors
-    /// As [`Self::svg`].
-    pub fn pdf(&self) -> Result<Vec<u8>, String> {
-        let mut page = pdf::Page::new(self.size(Pen::FINE)?, &self.title)?;
-        self.draw(page.backend().into_drawing_area(), Pen::FINE)?;
-        Ok(page.finish())
-    }
-
     /// Describes the figure in words.
     pub fn caption(&self) -> String {
         let panels = Panel::all(self);
@@ -132,29 +107,31 @@ impl Figure {
             if self.by_decades { "Sizes of states and control" } else { "States and control" };
         format!("{shown} over time in s{stretched}. Thin lines are deadlines{bounds}.")
     }
+}
+
+impl Drawing for Figure {
+    fn title(&self) -> &str {
+        &self.title
+    }
 
     fn size(&self, pen: Pen) -> Result<(u32, u32), String> {
-        style::register_letters()?;
         let rows = u32::try_from(Panel::all(self).len().div_ceil(2)).unwrap_or(1);
         Ok((2 * PANEL.0, style::head_height(self, pen)? + rows * PANEL.1))
     }
 
     fn draw<B: DrawingBackend>(
         &self,
-        area: DrawingArea<B, plotters::coord::Shift>,
+        page: &DrawingArea<B, plotters::coord::Shift>,
         pen: Pen,
     ) -> Result<(), String> {
-        style::register_letters()?;
-        let told = |error: &dyn std::fmt::Display| error.to_string();
-        area.fill(&style::PAGE).map_err(|e| told(&e))?;
-        let (head, body) = area.split_vertically(pen.px(style::head_height(self, pen)?));
+        let (head, body) = page.split_vertically(pen.px(style::head_height(self, pen)?));
         style::head(self, &head, pen)?;
         let panels = Panel::all(self);
         let places = body.split_evenly((panels.len().div_ceil(2), 2));
         for (panel, place) in panels.iter().zip(&places) {
             panel.draw(self, place, pen)?;
         }
-        area.present().map_err(|e| told(&e))
+        Ok(())
     }
 }
 

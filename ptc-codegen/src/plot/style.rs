@@ -79,6 +79,11 @@ impl Pen {
         BOUND.stroke_width(self.px(1))
     }
 
+    /// Edge of a set within bounds.
+    pub(super) fn edge(self) -> ShapeStyle {
+        BOUND.stroke_width(self.px(2))
+    }
+
     /// Line of the run with this index.
     pub(super) fn line(self, index: usize) -> ShapeStyle {
         TRACES[index % TRACES.len()].stroke_width(self.px(2))
@@ -148,9 +153,7 @@ fn legend(figure: &Figure, pen: Pen) -> Result<(Vec<(u32, i32)>, u32), String> {
     let (width, mut row, mut left) = (pen.at(2 * PANEL.0), 0, pen.at(16));
     let mut places = Vec::with_capacity(figure.traces.len());
     for trace in &figure.traces {
-        let text = (FAMILY, pen.px(SMALL)).into_font().box_size(&trace.label);
-        let text = text.map_err(|error| error.to_string())?.0;
-        let entry = pen.at(78) + i32::try_from(text).unwrap_or(0);
+        let entry = pen.at(78) + width_of(&trace.label, pen)?;
         if left + entry > width && left > pen.at(16) {
             (row, left) = (row + 1, pen.at(16));
         }
@@ -176,16 +179,33 @@ pub(super) fn head<B: DrawingBackend>(
     area.draw_text(&figure.title, &pen.text(TITLE), title).map_err(|e| told(&e))?;
     let (places, _) = legend(figure, pen)?;
     for (index, (trace, (row, left))) in figure.traces.iter().zip(places).enumerate() {
-        let top = pen.at(HEAD + row * LEGEND);
-        let middle = top + pen.at(9);
-        for (from, to) in dashes(left, left + pen.at(40), pen.dash(index)) {
-            let line = PathElement::new(vec![(from, middle), (to, middle)], pen.line(index));
-            area.draw(&line).map_err(|e| told(&e))?;
-        }
-        let place = (left + pen.at(48), top);
-        area.draw_text(&trace.label, &pen.text(SMALL), place).map_err(|e| told(&e))?;
+        sample(area, (left, HEAD + row * LEGEND), (index, &trace.label), pen)?;
     }
     Ok(())
+}
+
+/// An entry of a legend: the line of an index, and its label. `left` is in units, `top` in pixels.
+pub(super) fn sample<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    (left, top): (i32, u32),
+    (index, label): (usize, &str),
+    pen: Pen,
+) -> Result<(), String> {
+    let told = |error: &dyn std::fmt::Display| error.to_string();
+    let middle = pen.at(top + 9);
+    for (from, to) in dashes(left, left + pen.at(40), pen.dash(index)) {
+        let line = PathElement::new(vec![(from, middle), (to, middle)], pen.line(index));
+        area.draw(&line).map_err(|e| told(&e))?;
+    }
+    let place = (left + pen.at(48), pen.at(top));
+    area.draw_text(label, &pen.text(SMALL), place).map_err(|e| told(&e))
+}
+
+/// The width of a small text in units.
+pub(super) fn width_of(text: &str, pen: Pen) -> Result<i32, String> {
+    let size = (FAMILY, pen.px(SMALL)).into_font().box_size(text);
+    let (width, _) = size.map_err(|error| error.to_string())?;
+    Ok(i32::try_from(width).unwrap_or(0))
 }
 
 /// A drawing of [`Pen::FINE`], of this size in pixels, with other colours where the reader's page is dark.

@@ -29,6 +29,8 @@ pub enum Status {
     Gated = 4,
     /// The deadline was put off.
     Late = 5,
+    /// The bounds of a filter cannot be kept.
+    Infeasible = 6,
 }
 
 impl From<code::Status> for Status {
@@ -40,6 +42,7 @@ impl From<code::Status> for Status {
             code::Status::After => Self::After,
             code::Status::Gated => Self::Gated,
             code::Status::Late => Self::Late,
+            code::Status::Infeasible => Self::Infeasible,
             code::Status::Param => Self::Param,
             code::Status::Input => Self::Input,
             code::Status::Range => Self::Range,
@@ -62,6 +65,7 @@ impl Status {
             Self::After => "PTC_AFTER",
             Self::Gated => "PTC_GATED",
             Self::Late => "PTC_LATE",
+            Self::Infeasible => "PTC_INFEASIBLE",
         }
     }
 

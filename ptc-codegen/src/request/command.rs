@@ -25,7 +25,7 @@ impl Spec {
         words.extend(
             self.axes.as_ref().filter(|_| alone).map(|axes| format!("--axes {}", axes.count)),
         );
-        words.push(self.mapping_words());
+        words.extend(self.keep().is_none().then(|| self.mapping_words()));
         if let Some(name) = &self.name {
             words.push(format!("--name {name}"));
         }
@@ -34,6 +34,7 @@ impl Spec {
             What::Controller => {}
             What::Associated => words.push("--what associated".to_owned()),
             What::Observer => words.push("--what observer".to_owned()),
+            What::Filter => words.push("--what filter".to_owned()),
         }
         if let Clock::Samples(sampled) = &self.clock {
             words.extend(self.sampled_words(sampled));

@@ -54,6 +54,14 @@ impl Flight {
     }
 }
 
+impl Spec {
+    /// Returns true if the controller may change its deadline by itself: it puts it off, or plans the soonest one.
+    pub fn changes_deadline(&self) -> bool {
+        let flight = self.sampled().and_then(|sampled| sampled.flight.as_ref());
+        flight.is_some_and(|own| own.replans() || own.soonest)
+    }
+}
+
 impl Sampled {
     /// Returns the bounds of each chain, of which there are several where there are axes; `None` where one has none.
     pub(crate) fn horizons(&self, spec: &Spec) -> Option<Vec<Horizon>> {

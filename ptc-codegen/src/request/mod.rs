@@ -5,6 +5,7 @@ mod command;
 mod fingerprint;
 mod flight;
 mod input_limits;
+mod keep;
 mod larger;
 mod least_energy;
 mod legal;
@@ -26,6 +27,8 @@ pub(crate) use fingerprint::hash;
 pub use flight::{Flight, Late};
 pub use input_limits::Limits;
 pub(crate) use input_limits::RUNTIME;
+pub(crate) use keep::product_of_rates;
+pub use keep::{Edge, Keep};
 pub use larger::LargerPlant;
 pub(crate) use larger::has_own_states;
 pub use least_energy::{EndLaw, LeastEnergy};
@@ -102,6 +105,8 @@ pub enum What {
     Associated,
     /// The observer in samples alone, for a user-defined law.
     Observer,
+    /// A filter in samples, which keeps states within bounds under any controller.
+    Filter,
 }
 
 /// Clock argument of a call of the controller, besides the state.

@@ -55,11 +55,22 @@ impl Spec {
         unless(self.fma, ("unsupported", "fma"), message, help)
     }
 
-    /// Refuses an observer alone for what runs a law.
+    /// Refuses a filter for what calls a controller by the measurement alone.
+    ///
+    /// # Errors
+    /// That `what` has no u for it.
+    pub fn needs_no_filter(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        let message = format!("{what} has no controller whose u a filter could take");
+        let help = "emit the filter in a language, and call it between your controller and the plant in your own program";
+        unless(self.what == What::Filter, ("not-alone", "what"), message, help)
+    }
+
+    /// Refuses an observer or a filter alone for what runs a law.
     ///
     /// # Errors
     /// That `what` needs a law.
     pub fn needs_law(&self, what: &str) -> Result<(), Vec<Diagnostic>> {
+        self.needs_no_filter(what)?;
         let message = format!("{what} needs a law, and an observer alone has none");
         let help = "leave `what` out for the controller of the design, or emit the observer and call it from your own program";
         unless(self.what == What::Observer, ("not-alone", "what"), message, help)

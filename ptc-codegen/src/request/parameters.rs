@@ -11,7 +11,7 @@ impl Spec {
         if let Clock::Samples(sampled) = &self.clock {
             return match self.what {
                 What::Observer => vec![Parameter::SampleTime, Parameter::A],
-                What::Controller | What::Associated => {
+                What::Controller | What::Associated | What::Filter => {
                     let named = self.named_parameters();
                     sampled.parameters(self).into_iter().chain(named).collect()
                 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::{Clock, EndLaw, Feedback, Flight, Observer, Spec};
+use super::{Clock, EndLaw, Feedback, Flight, Keep, Observer, Spec};
 use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
@@ -43,6 +43,8 @@ pub struct Sampled {
     pub observer: Option<Observer>,
     /// Changes while it runs; `None` where its deadline is that of `arm`.
     pub flight: Option<Flight>,
+    /// The bounds that a filter keeps.
+    pub keep: Option<Keep>,
     /// True if the law of the delay follows from the poles because it was left open.
     pub leaves_delay_law: bool,
     /// True if eps is 0 because it was left open.
@@ -123,6 +125,10 @@ impl Sampled {
     /// Every parameter of the controller of `spec`, in the order in which it is emitted.
     pub(super) fn parameters(&self, spec: &Spec) -> Vec<Parameter> {
         use Parameter::{A, Deadbeat, Eps, Gain, SampleTime, Samples, UMax, UMin};
+        if self.keep.is_some() {
+            let limits = spec.u_min.then_some(UMin);
+            return [Samples, SampleTime, UMax].into_iter().chain(limits).collect();
+        }
         let mut all = vec![Samples, SampleTime, Eps, UMax];
         all.extend(spec.u_min.then_some(UMin));
         all.push(A);

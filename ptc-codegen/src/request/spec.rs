@@ -198,6 +198,7 @@ impl Spec {
             What::Controller => name,
             What::Associated => format!("{name}_associated"),
             What::Observer => format!("{name}_observer"),
+            What::Filter => format!("{name}_filter"),
         }
     }
 

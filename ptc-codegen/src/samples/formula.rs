@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Sub};
 use super::controller::Builder;
 use super::coordinates::Coordinates;
 use super::rows::deadbeat;
-use crate::algebra::BigRational;
+use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Shape, Statement};
 use crate::internal::fault;
 use crate::linear::dot;
@@ -95,7 +95,17 @@ impl Builder<'_> {
 
     /// Coordinate `i`, from 0.
     pub(super) fn flat_coordinate(&mut self, flat: &Flat, i: usize) -> Expr {
-        let row = flat.of.s.rows()[i].iter().cloned().map(Expr::Number).collect();
+        self.flat_coordinate_times(&integer(1), flat, i)
+    }
+
+    /// The same times a number.
+    pub(super) fn flat_coordinate_times(
+        &mut self,
+        factor: &BigRational,
+        flat: &Flat,
+        i: usize,
+    ) -> Expr {
+        let row = flat.of.s.rows()[i].iter().map(|own| Expr::Number(own * factor)).collect();
         self.combine(flat, &format!("s{}", i + 1), row)
     }
 

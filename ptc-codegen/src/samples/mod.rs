@@ -6,7 +6,7 @@
 //! u = sum_j row_j z_j/((T - (j-1) h) ... (T - (m-1) h)). By duality the same rows give an observer
 //! (`observer`). [`controller()`] stages both into one imperative program: `start` is its `init`,
 //! `feedback` and `estimates` are parts of its `step`. `alone` makes a program of the observer without
-//! a law, of the same parts. `gate` decides which readings correct the estimates. A plant with several inputs has a law for each output (`chains`), and the
+//! a law, of the same parts, and `filter` one that keeps bounds under any law. `gate` decides which readings correct the estimates. A plant with several inputs has a law for each output (`chains`), and the
 //! `step` of `inputs`.
 
 mod alone;
@@ -16,6 +16,7 @@ mod coordinates;
 mod ends;
 mod estimates;
 mod feedback;
+mod filter;
 mod flight;
 mod formula;
 mod gains;

@@ -86,10 +86,29 @@ impl Loop {
     /// The time after t0, at most `until`, of the last sample at which the controller is armed; 0 where it is not
     /// armed again.
     pub fn last_armed(&self, until: f64) -> f64 {
-        let sample = |event: &Event| (event.at * (1.0 - SAME) / self.period).ceil() * self.period;
         let arms = |event: &&Event| matches!(event.change, Change::Arm | Change::Deadline(_));
         let within = |at: &f64| *at <= until * (1.0 + SAME);
-        self.events.iter().filter(arms).map(sample).filter(within).fold(0.0, f64::max)
+        self.events
+            .iter()
+            .filter(arms)
+            .map(|event| self.sample_of(event))
+            .filter(within)
+            .fold(0.0, f64::max)
+    }
+
+    /// The time after t0 up to which a run is planned: to tau, to the last event and to each deadline that is given.
+    pub fn planned(&self, tau: f64) -> f64 {
+        let end = |event: &Event| match event.change {
+            Change::Arm => self.sample_of(event) + tau,
+            Change::Deadline(samples) => self.sample_of(event) + f64::from(samples) * self.period,
+            Change::Target { .. } | Change::Force { .. } => event.at,
+        };
+        self.events.iter().map(end).fold(tau, f64::max)
+    }
+
+    /// The time after t0 of the sample at which an event happens.
+    fn sample_of(&self, event: &Event) -> f64 {
+        (event.at * (1.0 - SAME) / self.period).ceil() * self.period
     }
 
     /// Returns true if anything in it is drawn at each sample.

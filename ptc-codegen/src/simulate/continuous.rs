@@ -252,6 +252,7 @@ impl Side for Continuous {
             u: &u,
             integrals: &[],
             status: if self.clipped() { Status::Saturated } else { Status::Ok },
+            last: false,
         });
     }
 

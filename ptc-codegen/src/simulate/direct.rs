@@ -119,7 +119,8 @@ impl Side for Direct {
         let (_, status) = self.controller.step(t, measured);
         let u = self.law.held(t, measured);
         let (stretched, integrals) = (f64::NAN, &[][..]);
-        visit(Sample { t, time_to_go, stretched, x, measured, u, integrals, status });
+        let last = false;
+        visit(Sample { t, time_to_go, stretched, x, measured, u, integrals, status, last });
     }
 
     fn kinks(&self) -> usize {

@@ -55,7 +55,7 @@ pub use continuous::Continuous;
 pub use control::Control;
 pub use controller::Controller;
 pub use direct::Direct;
-pub use event::{Change, Event};
+pub use event::{Change, Event, Events};
 pub use failure::{Cause, Failure};
 pub use pieces::{Changes, Piece};
 pub use process::Process;
@@ -93,6 +93,8 @@ pub struct Sample<'a> {
     pub integrals: &'a [f64],
     /// The status of `step`.
     pub status: Status,
+    /// True at the last sample of the sampled loop.
+    pub last: bool,
 }
 
 /// Accuracy of the integration of a run.

@@ -34,7 +34,7 @@ pub struct Process {
     pub(super) integrals: Option<Integrals>,
 }
 
-/// Most times tau for which a run follows a deadline that is put off.
+/// Most times tau, from where the controller was armed, for which a run follows a deadline that is put off.
 const LONGEST: f64 = 20.0;
 
 /// Bounds of all states and of u below which they count as 0.
@@ -93,7 +93,7 @@ impl Process {
         let mut x = State::zeros();
         x.as_mut_slice()[..self.n].copy_from_slice(x0);
         let mut events = EventQueue::new(&around.events);
-        let mut deadline = tau;
+        let (mut deadline, mut longest) = (tau, LONGEST * tau);
         let mut walk = Walk::default();
         loop {
             let index = frame.index;
@@ -109,13 +109,14 @@ impl Process {
             let measured = self.measured(&mut frame, t, state);
             if let Some(rest) = happens.arm(control, (now, t), &measured, around.period)? {
                 deadline = since + rest.unwrap_or(tau);
+                longest = since + LONGEST * tau.max(rest.unwrap_or(tau));
                 frame.extend(deadline);
             }
             let (u, status) = control.step(now, &measured);
             late.push_back(u.iter().map(|u| frame.actuated(*u)).collect());
             if let Some(sample) = control.deadline() {
                 deadline = sample * around.period;
-                frame.extend(deadline.min(LONGEST * tau));
+                frame.extend(deadline.min(longest));
             }
             let (_, last) = frame.since();
             let u = late.pop_front().unwrap_or_else(|| none.clone());
@@ -129,6 +130,7 @@ impl Process {
                 u: &u,
                 integrals: &x.as_slice()[self.n..behind],
                 status,
+                last,
             });
             if last {
                 break;
@@ -158,6 +160,7 @@ impl Process {
                             u,
                             integrals: &x.as_slice()[self.n..behind],
                             status,
+                            last: false,
                         });
                     }
                 }

@@ -5,7 +5,7 @@ use super::lanes::RunningLanes;
 use super::{Controller, Failure, Loop, Process, Sample, Values};
 use crate::expression::Expression;
 use crate::plant::Plant;
-use crate::request::{Spec, What};
+use crate::request::Spec;
 
 /// The plant with a sampled controller.
 #[derive(Clone, Debug)]
@@ -20,8 +20,9 @@ impl Sampled {
     /// # Errors
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec, plant: &Plant) -> Result<Self, Failure> {
-        if spec.what == What::Observer {
-            let message = "an observer alone closes no loop";
+        if !spec.has_law() {
+            let alone = if spec.keep().is_some() { "a filter" } else { "an observer" };
+            let message = format!("{alone} alone closes no loop");
             return Err(Failure::input(message, "leave `what` out: the controller is simulated"));
         }
         Ok(Self { controller: Controller::new(spec)?, process: Process::new(spec, plant) })

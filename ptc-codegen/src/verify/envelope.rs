@@ -38,7 +38,7 @@ impl Envelope {
         // A part that no run looks at has no bounds.
         let seen = |part: &usize| widened.iter().all(|one| one[*part].0 <= one[*part].1);
         let seen: Vec<_> = (0..usize::from(PARTS)).filter(seen).collect();
-        let end = 1.0 - campaign.until;
+        let end = campaign.length();
         let middle = |part: &usize| end * (*part as f64 + 0.5) / f64::from(PARTS);
         Self {
             draws,
@@ -60,7 +60,7 @@ impl Campaign {
     fn visited(&self, trial: &mut Trial, index: u64, mut parts: Parts) -> Parts {
         let setting = self.looked_at(&self.scenario(index), LOOKS);
         let [tau, start] = [Parameter::Tau, Parameter::StartTime].map(|p| setting.values.get(p));
-        let span = tau * (1.0 - self.until);
+        let span = tau * self.length();
         let mut visit = |Instant { t, x, u, .. }: Instant| {
             let share = (t - start) / span;
             let part =

@@ -63,7 +63,7 @@ use crate::expression::{Expression, Variable};
 use crate::parameter::{Fixed, Parameter};
 use crate::plant::Plant;
 use crate::request::Spec;
-use crate::simulate::Loop;
+use crate::simulate::{Events, Loop};
 
 /// An interval, least and greatest value.
 pub type Interval = (f64, f64);
@@ -103,6 +103,8 @@ pub struct Campaign {
     pub intervals: Vec<(Parameter, Interval)>,
     /// Symbols of the plant that vary within their bounds, and how they may.
     pub disturbances: Vec<(Parameter, Interval, Vec<Signal>)>,
+    /// Events of every run, whose uncertain numbers are drawn.
+    pub events: Events,
     /// Integrands accumulated along a run, from 0 at t0: each a function of the plant, of time and of the integrals
     /// before it, which are variables behind those of the plant.
     pub integrals: Vec<Expression>,
@@ -112,7 +114,7 @@ pub struct Campaign {
 
 /// Version of the engine, on which the rows of a campaign depend: the version of the package, and behind it a number
 /// that is raised by every change that alters the bits of a run.
-pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+7");
+pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+8");
 
 impl Campaign {
     /// All that decides the rows, as text: two campaigns with the same text have the same rows from the same [`ENGINE`].
@@ -139,6 +141,9 @@ impl Campaign {
         let Self { scenarios, seed, until, tolerance, search, .. } = self;
         lines.push(format!("scenarios = {scenarios}, seed = {seed}, until = {until:?}"));
         lines.extend(self.around.iter().map(|around| format!("{around:?}")));
+        if !self.events.is_empty() {
+            lines.push(format!("{:?}", self.events));
+        }
         lines.push(format!("tolerance = {tolerance:?}, search = {search}"));
         lines.extend(self.objectives.iter().map(ToString::to_string));
         lines.join("\n")
@@ -162,6 +167,21 @@ impl Campaign {
         self.around.is_none() && !self.spec.has_model()
     }
 
+    /// Returns true if a run ends at the deadline in force, which may change: by an event, or by the controller.
+    pub(super) fn follows_deadline(&self) -> bool {
+        self.until == 0.0 && (!self.events.is_empty() || self.spec.changes_deadline())
+    }
+
+    /// Returns the length of the longest planned run, in parts of tau.
+    pub(super) fn length(&self) -> f64 {
+        let (true, Some(around)) = (self.follows_deadline(), &self.around) else {
+            return 1.0 - self.until;
+        };
+        let around = Loop { events: self.events.latest(), ..around.clone() };
+        let (low, high) = self.tau;
+        [low, high].map(|tau| around.planned(tau) / tau).into_iter().fold(1.0, f64::max)
+    }
+
     /// T/tau at which the pieces of signals end, > 0.
     pub(super) fn span(&self) -> f64 {
         if self.around.is_some() { SPAN } else { self.until }
@@ -172,7 +192,10 @@ impl Campaign {
     pub fn of_law(&self) -> Self {
         match self.spec.sampled() {
             Some(_) => self.clone(),
-            None => Self { around: None, until: self.span(), ..self.clone() },
+            None => {
+                let events = Events::default();
+                Self { around: None, until: self.span(), events, ..self.clone() }
+            }
         }
     }
 
@@ -194,6 +217,7 @@ impl Campaign {
         names.extend(self.spec.state_names().iter().map(|x| format!("{x}_0")));
         names.extend(self.intervals.iter().map(|(symbol, _)| symbol.spelling()));
         names.extend(self.gains().map(|_| GAIN.to_owned()));
+        names.extend(self.events.uncertain().map(|(name, _)| name));
         names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}")));
         if self.has_sides() {
             names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));

@@ -17,7 +17,7 @@ pub(super) const SEEDS: u64 = 1 << 53;
 /// One scenario, in the plant's own units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
-    /// tau, x_1..x_n at t0, and the constants that are not known.
+    /// tau, x_1..x_n at t0, the constants that are not known, and the numbers of events.
     pub point: Vec<f64>,
     /// Course of each disturbance.
     pub courses: Vec<Course>,
@@ -73,11 +73,13 @@ impl Campaign {
         self.around.as_ref().is_some_and(Loop::is_drawn)
     }
 
-    /// The intervals of tau, x_1..x_n at t0 and the constants.
+    /// The intervals of tau, x_1..x_n at t0, the constants and the numbers of events.
     pub(super) fn sides(&self) -> impl Iterator<Item = Interval> {
         let constants = self.intervals.iter().map(|(_, interval)| *interval);
         let box_of_x0 = self.x0.iter().copied();
-        std::iter::once(self.tau).chain(box_of_x0).chain(constants).chain(self.gains())
+        let of_events = self.events.uncertain().map(|(_, interval)| interval);
+        let constants = constants.chain(self.gains()).chain(of_events);
+        std::iter::once(self.tau).chain(box_of_x0).chain(constants)
     }
 
     /// The names of these.
@@ -85,7 +87,9 @@ impl Campaign {
         let constants = self.intervals.iter().map(|(symbol, _)| symbol.spelling());
         let states = self.spec.state_names();
         let gain = self.gains().map(|_| GAIN.to_owned());
-        std::iter::once("tau".to_owned()).chain(states).chain(constants).chain(gain)
+        let of_events = self.events.uncertain().map(|(name, _)| name);
+        let constants = constants.chain(gain).chain(of_events);
+        std::iter::once("tau".to_owned()).chain(states).chain(constants)
     }
 
     /// Returns the name and interval of each quantity that is constant in a run and not known.

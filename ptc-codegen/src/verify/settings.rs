@@ -88,17 +88,29 @@ impl<'a> Settings<'a> {
         }
         let pieces = self.pieces(scenario, &values, *tau);
         let values = pieces.first().map_or(values, |(_, values)| values.clone());
-        let around = campaign.around.as_ref().map(|around| Loop {
-            gain: match (campaign.gains(), constants.get(campaign.intervals.len())) {
-                (Some(_), Some(gain)) => [*gain; 2],
-                _ => around.gain,
-            },
-            seed: scenario.seed,
-            until: Some(end(campaign.until, *tau, around.period)),
-            parts: self.parts.min(parts_of(tau * (1.0 - campaign.until) / around.period)),
-            ..around.clone()
-        });
+        let around = self.around(scenario.seed, *tau, &constants[campaign.intervals.len()..]);
         Setting { values, x0: x0.to_vec(), pieces, around }
+    }
+
+    /// The sampled loop of a run, with the true gain, where it is not known, and the numbers of the events.
+    fn around(&self, seed: u64, tau: f64, drawn: &[f64]) -> Option<Loop> {
+        let Self { campaign, .. } = self;
+        let around = campaign.around.as_ref()?;
+        let (gain, drawn) = match (campaign.gains(), drawn.split_first()) {
+            (Some(_), Some((gain, rest))) => ([*gain; 2], rest),
+            _ => (around.gain, drawn),
+        };
+        let until = end(campaign.until, tau, around.period);
+        let own = Loop {
+            gain,
+            seed,
+            until: (!campaign.follows_deadline()).then_some(until),
+            events: campaign.events.with(drawn),
+            ..around.clone()
+        };
+        let length = own.until.unwrap_or_else(|| own.planned(tau));
+        let parts = self.parts.min(parts_of(length / around.period));
+        Some(Loop { parts, ..own })
     }
 
     /// T/tau of the instants of each piece between jumps, with the values that hold in it.

@@ -161,7 +161,7 @@ fn wrong_events_of_axes_are_refused() {
         ("move = 1", "move = 1 for 2 axes"),
         ("move = [1, 2, 3]", "move: 3 numbers for 2 axes"),
         ("move = [1, inf]", "move = inf is not a finite number"),
-        ("kick = [1]\nfor = 1", "kick: 1 number for 2 inputs"),
+        ("kick = [1]\nfor = 1", "kick: 1 number for 2 axes"),
     ] {
         let (code, _, told) =
             simulate(&folder, &format!("{AXES}[[event]]\nat = 1\n{event}\n"), &[]);

@@ -5,6 +5,7 @@
 
 mod bounds;
 mod check;
+mod check_picture;
 #[path = "../../../tests/support/command.rs"]
 mod command;
 mod compare;
@@ -55,6 +56,7 @@ mod verdicts;
 mod verify_command;
 mod verify_draws;
 mod verify_edges;
+mod verify_events;
 mod verify_integrals;
 mod verify_lanes;
 mod verify_parameters;

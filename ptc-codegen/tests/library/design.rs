@@ -317,8 +317,12 @@ fn the_template_tells_what_verify_reads() {
     let of_others = ["upsilon", "error", "h", "low", "high"].map(|key| format!("# {key} = "));
     let tables = kept.iter().position(|line| line.contains("[[event]]")).expect("events");
     assert!(kept.len() > tables + EVENT_KEYS.len(), "{text}");
+    let events = kept.split_off(tables);
     kept.retain(|line| !of_others.iter().any(|key| line.starts_with(key)));
-    let lines: Vec<_> = kept.iter().map(|line| line.trim_start_matches("# ")).collect();
+    let without_mark = |lines: &[&str]| {
+        lines.iter().map(|line| line.trim_start_matches("# ").to_owned()).collect::<Vec<_>>()
+    };
+    let (lines, events) = (without_mark(&kept), without_mark(&events));
     let top = "n = 1\nmu = \"exp(a=1)\"\n[plant]\nf = \"gust\"\ngust = [-1, 1]\n[disturbance]\n";
     let (entries, found, _) = read(&format!("{top}{}", lines.join("\n")));
     assert!(found.is_empty(), "{found:?}");
@@ -329,4 +333,12 @@ fn the_template_tells_what_verify_reads() {
         (campaign.x0, campaign.objectives.len(), campaign.disturbances.len()),
         (vec![(-1.0, 1.0)], 1, 1)
     );
+    // Those of an event are one of a controller whose deadline may change.
+    let top = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.1\npoles = [-4, -5]\n\
+               in_flight = true\n[params]\ntau = 1\neps = 0\n";
+    let (entries, found, _) = read(&format!("{top}{}", events.join("\n")));
+    assert!(found.is_empty(), "{found:?}");
+    let spec = request::read(&entries).expect("a spec");
+    let all = ptc_codegen::simulate::event::read_numbers(&entries, &spec).expect("events");
+    assert_eq!(all.len(), 4, "{all:?}");
 }

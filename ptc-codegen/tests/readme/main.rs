@@ -3,6 +3,7 @@
 
 #![cfg(all(unix, feature = "lab"))]
 
+mod benchmarks;
 mod links;
 mod sessions;
 
@@ -20,7 +21,8 @@ const FAMILIES: &str = include_str!("../../../docs/families.md");
 
 const LIMITS: &str = include_str!("../../../docs/limits.md");
 
-const BENCHMARKS: &str = include_str!("../../../docs/BENCHMARKS.md");
+/// The pages of the book, in their order.
+const SUMMARY: &str = include_str!("../../../docs/SUMMARY.md");
 
 const EXPRESSIONS: &str = include_str!("../../../docs/expressions.md");
 
@@ -29,8 +31,6 @@ const SIMULATE: &str = include_str!("../../../docs/simulate.md");
 const VERIFY: &str = include_str!("../../../docs/verify.md");
 
 const DESIGN: &str = include_str!("../../../docs/design.md");
-
-const COMPARE: &str = include_str!("../../../docs/compare.md");
 
 const TIME: &str = include_str!("../../../docs/time.md");
 
@@ -47,7 +47,7 @@ const QUADROTOR: &str = include_str!("../../../examples/quadrotor.toml");
 /// The design of a linear plant, which docs/samples.md shows.
 const MOTOR: &str = include_str!("../../../examples/motor.toml");
 
-/// The design with a model that docs/models.md shows, and the one that it refuses.
+/// The design with a model that docs/guide/model.md shows, and the one that docs/models.md refuses.
 const DRIVE: &str = include_str!("../../../examples/drive.toml");
 
 const CART: &str = include_str!("../../../examples/cart.toml");
@@ -60,10 +60,10 @@ const ROBOT: &str = include_str!("../../../examples/two_link.toml");
 /// The robot with a law of both joints that docs/models.md runs.
 const BARRIER: &str = include_str!("../../../examples/barrier_arm.toml");
 
-/// The plant with uncertain numbers that docs/models.md verifies.
+/// The plant with uncertain numbers that docs/guide/uncertain.md verifies.
 const PENDULUM: &str = include_str!("../../../examples/pendulum.toml");
 
-/// The design that docs/references.md shows.
+/// The design that docs/guide/target.md shows.
 const TRACK: &str = include_str!("../../../examples/track.toml");
 
 const REFERENCES: &str = include_str!("../../../docs/references.md");
@@ -84,61 +84,39 @@ const RESONANCE: &str = include_str!("../../../docs/guide/resonance.md");
 const ROBUST: &str = include_str!("../../../docs/guide/robust.md");
 
 /// Events of the same stage.
+const FILTER: &str = include_str!("../../../docs/guide/filter.md");
 const MOVES: &str = include_str!("../../../docs/guide/moves.md");
 
-const AXES: &str = include_str!("../../../docs/guide/axes.md");
+/// Several axes, and more on them.
+const GUIDE_AXES: &str = include_str!("../../../docs/guide/axes.md");
+
+const AXES: &str = include_str!("../../../docs/axes.md");
+
+/// A timer interrupt, a model, a target that moves, and what is uncertain.
+const GUIDE_SAMPLES: &str = include_str!("../../../docs/guide/samples.md");
+
+const GUIDE_MODEL: &str = include_str!("../../../docs/guide/model.md");
+
+const GUIDE_TARGET: &str = include_str!("../../../docs/guide/target.md");
+
+const GUIDE_QUADROTOR: &str = include_str!("../../../docs/guide/quadrotor.md");
+
+const GUIDE_UNCERTAIN: &str = include_str!("../../../docs/guide/uncertain.md");
+
+const GUIDE_VERIFY: &str = include_str!("../../../docs/guide/verify.md");
 
 const SELFTEST: &str = include_str!("../../../docs/assurance/selftest.md");
 
-/// The pages beside the README, by their place in docs/.
-const PAGES: [(&str, &str); 46] = [
-    ("guide/README.md", GUIDE),
-    ("guide/choose.md", include_str!("../../../docs/guide/choose.md")),
-    ("guide/period.md", include_str!("../../../docs/guide/period.md")),
-    ("guide/noise.md", include_str!("../../../docs/guide/noise.md")),
-    ("guide/torque.md", include_str!("../../../docs/guide/torque.md")),
-    ("guide/sensors.md", include_str!("../../../docs/guide/sensors.md")),
-    ("guide/resonance.md", RESONANCE),
-    ("guide/axes.md", AXES),
-    ("guide/python.md", include_str!("../../../docs/guide/python.md")),
-    ("guide/robust.md", ROBUST),
-    ("guide/feasible.md", include_str!("../../../docs/guide/feasible.md")),
-    ("guide/moves.md", MOVES),
-    ("start.md", START),
-    ("explorer.md", include_str!("../../../docs/explorer.md")),
-    ("catalogue.md", include_str!("../../../docs/catalogue.md")),
-    ("messages.md", include_str!("../../../docs/messages.md")),
-    ("glossary.md", include_str!("../../../docs/glossary.md")),
-    ("families.md", FAMILIES),
-    ("limits.md", LIMITS),
-    ("languages.md", include_str!("../../../docs/languages.md")),
-    ("evidence.md", include_str!("../../../docs/evidence.md")),
-    ("time.md", TIME),
-    ("samples.md", SAMPLES),
-    ("theory/samples.md", include_str!("../../../docs/theory/samples.md")),
-    ("theory/least-energy.md", include_str!("../../../docs/theory/least-energy.md")),
-    ("theory/deadlines.md", include_str!("../../../docs/theory/deadlines.md")),
-    ("theory/loop.md", include_str!("../../../docs/theory/loop.md")),
-    ("targets.md", include_str!("../../../docs/targets.md")),
-    ("expressions.md", EXPRESSIONS),
-    ("models.md", MODELS),
-    ("references.md", REFERENCES),
-    ("engines.md", include_str!("../../../docs/engines.md")),
-    ("simulate.md", SIMULATE),
-    ("verify.md", VERIFY),
-    ("design.md", DESIGN),
-    ("compare.md", COMPARE),
-    ("assurance/README.md", include_str!("../../../docs/assurance/README.md")),
-    ("assurance/eva.md", include_str!("../../../docs/assurance/eva.md")),
-    ("assurance/selftest.md", SELFTEST),
-    ("checks/README.md", include_str!("../../../docs/checks/README.md")),
-    ("checks/membership.md", include_str!("../../../docs/checks/membership.md")),
-    ("checks/growth.md", include_str!("../../../docs/checks/growth.md")),
-    ("checks/sampling.md", include_str!("../../../docs/checks/sampling.md")),
-    ("checks/deadline.md", include_str!("../../../docs/checks/deadline.md")),
-    ("checks/loop.md", include_str!("../../../docs/checks/loop.md")),
-    ("checks/envelope.md", include_str!("../../../docs/checks/envelope.md")),
-];
+/// Returns the pages of the book, each with its place in docs/ and its text.
+fn pages() -> Vec<(String, String)> {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
+    let links = SUMMARY.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    let page = |name: &str| {
+        let text = fs::read_to_string(docs.join(name)).unwrap_or_else(|_| panic!("no docs/{name}"));
+        (name.to_owned(), text)
+    };
+    links.map(page).collect()
+}
 
 /// The blocks of a page in `language`, without the indentation of the list around them.
 fn blocks_of(page: &str, language: &str) -> Vec<String> {
@@ -253,33 +231,6 @@ fn readme_shows_the_stage() {
     assert!(drawn == fs::read_to_string(kept).expect("a picture"), "docs/stage.svg");
 }
 
-/// The figures of docs/compare.md beside other tools are those of the page that a command writes.
-#[test]
-fn comparison_of_tools_matches_the_benchmarks() {
-    let rows: Vec<Vec<_>> = BENCHMARKS
-        .lines()
-        .filter(|line| line.starts_with("| "))
-        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect();
-    let measured = |family: &str, n: &str, generator: &str, column: usize| {
-        let row = |row: &&Vec<&str>| row.len() == 8 && row[..3] == [family, n, generator];
-        rows.iter().find(row).unwrap_or_else(|| panic!("no {family} {n} {generator}"))[column]
-    };
-    for (start, family, n, column) in [
-        ("| instructions of a step, `exp`, n = 3 |", "exp", "3", 3),
-        ("| instructions of a step, `tan`, n = 6 |", "tan", "6", 3),
-        ("| error of u for T/tau down to 1e-12, `tan`, n = 6 |", "tan", "6", 7),
-    ] {
-        let line = COMPARE.lines().find(|line| line.starts_with(start)).expect("a row");
-        let shown: Vec<_> = line[start.len()..].split('|').map(str::trim).collect();
-        let hand = if n == "3" { "hand" } else { "hand_loop" };
-        let casadi = if n == "3" { "casadi_diff" } else { "casadi_mu" };
-        for (place, generator) in ["ptc-codegen", hand, "sympy_tuned", casadi].iter().enumerate() {
-            assert_eq!(shown[place], measured(family, n, generator, column), "{start} {generator}");
-        }
-    }
-}
-
 #[test]
 fn continuous_time_page_runs() {
     walk(TIME, &folder("time"));
@@ -293,9 +244,9 @@ fn timer_interrupt_programs_compile() {
     let emit = "ptc-codegen emit encoder.toml --disturbance constant --lang c -o out";
     printed(emit, &folder);
     printed(&format!("{emit} --what observer"), &folder);
-    let programs = blocks_of(SAMPLES, "c");
-    assert_eq!(programs.len(), 2);
-    for program in programs {
+    let [control, observer] = [GUIDE_SAMPLES, SAMPLES].map(|page| blocks_of(page, "c"));
+    assert_eq!([control.len(), observer.len()], [1, 1]);
+    for program in control.iter().chain(&observer) {
         fs::write(folder.join("board.c"), program).expect("writable");
         let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -Iout -c board.c";
         shell(strict, &folder);
@@ -359,12 +310,31 @@ fn selftest_page_program_runs() {
 }
 
 #[test]
+fn summary_lists_each_page_once() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
+    // The paper is written for a journal.
+    let folders = ["", "guide", "checks", "theory", "assurance", "benchmarks"];
+    let found = folders.iter().flat_map(|folder| {
+        let entries = fs::read_dir(docs.join(folder)).expect("a folder");
+        entries.map(|entry| Path::new(folder).join(entry.expect("an entry").file_name()))
+    });
+    let is_page = |path: &PathBuf| {
+        path.extension().is_some_and(|extension| extension == "md") && !path.ends_with("SUMMARY.md")
+    };
+    let mut found: Vec<_> = found.filter(is_page).collect();
+    let mut listed: Vec<_> = pages().into_iter().map(|(name, _)| PathBuf::from(name)).collect();
+    found.sort();
+    listed.sort();
+    assert_eq!(listed, found);
+}
+
+#[test]
 fn links_and_reference_tables_are_complete() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let pages = PAGES.map(|(name, page)| (root.join("docs").join(name), page));
-    for (path, page) in pages.iter().chain(&[(root.join("README.md"), README)]) {
-        links::lead_somewhere(path, page);
+    for (name, page) in pages() {
+        links::lead_somewhere(&root.join("docs").join(name), &page);
     }
+    links::lead_somewhere(&root.join("README.md"), README);
     for (name, _) in ptc_codegen::expression::Function::ALL {
         let row = EXPRESSIONS.lines().find(|line| line.starts_with("| of one number"));
         assert!(row.is_some_and(|row| row.contains(name)), "{name}");

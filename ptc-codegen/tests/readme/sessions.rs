@@ -5,9 +5,10 @@ use std::path::Path;
 use std::process::Command;
 
 use super::{
-    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, GANTRY, GUIDE, MODELS, MOTOR, MOVES,
-    PAGES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE,
-    TANK, TRACK, VERIFY, blocks_of, folder, shell,
+    AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, FILTER, GANTRY, GUIDE, GUIDE_AXES,
+    GUIDE_MODEL, GUIDE_QUADROTOR, GUIDE_TARGET, GUIDE_UNCERTAIN, GUIDE_VERIFY, MODELS, MOTOR,
+    MOVES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE,
+    TANK, TRACK, VERIFY, blocks_of, folder, pages, shell,
 };
 
 /// Returns the output of `line` in `folder`; a refused design is not a failure.
@@ -53,9 +54,10 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("carriage.toml"), carriage).expect("writable");
     assert_eq!(blocks_of(RESONANCE, "toml"), [ELASTIC]);
     fs::write(folder.join("elastic.toml"), ELASTIC).expect("writable");
-    let [uncertain, energy, axis, belt] = &blocks_of(VERIFY, "toml")[..] else { panic!("designs") };
+    let [uncertain, energy, belt] = &blocks_of(VERIFY, "toml")[..] else { panic!("designs") };
     fs::write(folder.join("uncertain.toml"), uncertain).expect("writable");
     fs::write(folder.join("energy.toml"), energy).expect("writable");
+    let [axis] = &blocks_of(GUIDE_VERIFY, "toml")[..] else { panic!("a design") };
     fs::write(folder.join("axis.toml"), axis).expect("writable");
     fs::write(folder.join("belt.toml"), belt).expect("writable");
     // The second one takes a minute, and has a test of its own.
@@ -65,10 +67,11 @@ fn pages_show_what_is_printed() {
     let [flight, settled, gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("designs") };
     let in_flight = ENCODER.replace("[params]", &format!("{flight}\n[params]"));
     fs::write(folder.join("flight.toml"), in_flight).expect("writable");
-    let [moves] = &blocks_of(MOVES, "toml")[..] else { panic!("events") };
+    let [moves, random] = &blocks_of(MOVES, "toml")[..] else { panic!("events") };
     let (keys, events) = moves.split_once("[[event]]").expect("keys and events");
     let moves = ENCODER.replace("[params]", &format!("{keys}\n[params]"));
     fs::write(folder.join("moves.toml"), format!("{moves}\n[[event]]{events}")).expect("writable");
+    fs::write(folder.join("random.toml"), format!("{moves}\n{random}")).expect("writable");
     let of_round = ["observer_poles", "observer_samples", "observer_eps"];
     let lines = ENCODER.lines().filter(|line| !of_round.iter().any(|key| line.starts_with(key)));
     let lines: Vec<_> = lines.collect();
@@ -82,8 +85,10 @@ fn pages_show_what_is_printed() {
     assert_eq!(motor, MOTOR);
     fs::write(folder.join("motor.toml"), MOTOR).expect("writable");
     let [shown @ .., uncertain] = &blocks_of(MODELS, "toml")[..] else { panic!("designs") };
-    let [drive, tank, robot, barrier, pendulum] = shown else { panic!("designs") };
-    assert_eq!([drive, tank, robot, pendulum], [DRIVE, TANK, ROBOT, PENDULUM]);
+    let [tank, robot, barrier] = shown else { panic!("designs") };
+    assert_eq!([tank, robot], [TANK, ROBOT]);
+    assert_eq!(blocks_of(GUIDE_UNCERTAIN, "toml"), [PENDULUM]);
+    assert_eq!(blocks_of(GUIDE_MODEL, "toml"), [DRIVE]);
     let (_, law) = barrier.split_once('\n').expect("a comment and a law");
     assert!(BARRIER.contains(law), "{law}");
     fs::write(folder.join("barrier_arm.toml"), BARRIER).expect("writable");
@@ -93,27 +98,29 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("tank.toml"), TANK).expect("writable");
     fs::write(folder.join("two_link.toml"), ROBOT).expect("writable");
     fs::write(folder.join("cart.toml"), CART).expect("writable");
-    let [track, pick] = &blocks_of(REFERENCES, "toml")[..] else { panic!("designs") };
-    assert_eq!(track, TRACK);
+    let [pick] = &blocks_of(REFERENCES, "toml")[..] else { panic!("a design") };
+    assert_eq!(blocks_of(GUIDE_TARGET, "toml"), [TRACK]);
     fs::write(folder.join("track.toml"), TRACK).expect("writable");
     fs::write(folder.join("pick.toml"), pick).expect("writable");
-    let [gantry, quadrotor, coupling, hall] = &blocks_of(AXES, "toml")[..] else {
-        panic!("designs")
-    };
+    assert_eq!(blocks_of(GUIDE_AXES, "toml"), [GANTRY]);
+    assert_eq!(blocks_of(GUIDE_QUADROTOR, "toml"), [QUADROTOR]);
+    let [coupling, hall] = &blocks_of(AXES, "toml")[..] else { panic!("designs") };
     fs::write(folder.join("hall.toml"), hall).expect("writable");
-    assert_eq!([gantry, quadrotor], [GANTRY, QUADROTOR]);
     fs::write(folder.join("coupled.toml"), format!("{GANTRY}\n{coupling}")).expect("writable");
     fs::write(folder.join("gantry.toml"), GANTRY).expect("writable");
     fs::write(folder.join("quadrotor.toml"), QUADROTOR).expect("writable");
     assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
     fs::write(folder.join("table.toml"), TABLE).expect("writable");
+    let [stop] = &blocks_of(FILTER, "toml")[..] else { panic!("a filter") };
+    fs::write(folder.join("stop.toml"), stop).expect("writable");
     // Those of one command, to refresh a few pages in seconds.
     let only = std::env::var("PTC_SESSIONS").ok();
     let campaigns = blocks_of(VERIFY, "sh").concat();
     for line in campaigns.lines().filter(|_| only.is_none()) {
         assert!(!printed(line, &folder).is_empty(), "{line}");
     }
-    for (name, page) in PAGES {
+    let pages = pages();
+    for (name, page) in &pages {
         for block in blocks_of(page, "console") {
             let session = block.strip_prefix("$ ").expect("a command").replace("\n$ ", "\n\0");
             for part in session.split('\0') {
@@ -143,6 +150,7 @@ fn pages_show_what_is_printed() {
         "axes.svg",
         "choose.svg",
         "feasible.svg",
+        "feasible_set.svg",
         "moves.svg",
         "noise.svg",
         "period.svg",
@@ -159,18 +167,22 @@ fn pages_show_what_is_printed() {
         let [kept, drawn] = [kept, drawn].map(|path| fs::read_to_string(path).expect("a picture"));
         assert!(kept == drawn, "docs/guide/{picture} is another picture");
     }
-    let (programs, shown) = (blocks_of(AXES, "c"), blocks_of(AXES, "text"));
-    assert_eq!((programs.len(), shown.len()), (2, 2));
-    for ((name, program), shown) in ["gantry", "quadrotor"].iter().zip(&programs).zip(&shown) {
+    for (name, page) in [("gantry", AXES), ("quadrotor", GUIDE_QUADROTOR)] {
+        let [program] = &blocks_of(page, "c")[..] else { panic!("one program") };
+        let [shown] = &blocks_of(page, "text")[..] else { panic!("one output") };
         fs::write(folder.join("main.c"), program).expect("writable");
         let strict = format!(
             "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iaxes main.c axes/{name}.c -lm -o {name} && ./{name}"
         );
         assert_eq!(&shell(&strict, &folder), shown, "{name}");
     }
+    let (programs, shown) = (blocks_of(FILTER, "c"), blocks_of(FILTER, "text"));
+    fs::write(folder.join("main.c"), &programs[0]).expect("writable");
+    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Istop main.c stop/stop_filter.c -lm -o demo && ./demo";
+    assert_eq!(shell(strict, &folder), shown[0], "stop");
     for check in ["membership", "growth", "sampling", "deadline", "loop", "envelope"] {
-        let page = PAGES.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
-        let shown = blocks_of(page.expect("a page").1, "console").concat();
+        let page = pages.iter().find(|(name, _)| *name == format!("checks/{check}.md"));
+        let shown = blocks_of(&page.expect("a page").1, "console").concat();
         assert!(shown.contains(&format!("refused: {check}")), "{check} shows no refusal");
     }
     assert!(blocks_of(MODELS, "console").concat().contains("refused: zeros"), "models.md");

@@ -18,9 +18,9 @@ const MOST: f64 = 1e-6;
 pub(super) fn attack(world: &World, finding: &mut Finding) -> Result<String> {
     let [gated, believing] = BOUNDS.map(|bound| measured(world, bound));
     let gated = gated?;
-    let page = fs::read_to_string(workspace().join("docs/samples.md"))?;
+    let page = fs::read_to_string(workspace().join("docs/benchmarks/samples.md"))?;
     let lacking = gated.lines().filter(|row| !page.contains(row));
-    finding.failures.extend(lacking.map(|row| format!("docs/samples.md lacks {row}")));
+    finding.failures.extend(lacking.map(|row| format!("docs/benchmarks/samples.md lacks {row}")));
     finding.failures.extend(faults(&gated));
     finding.seed("a gate that believes every reading", faults(&believing?).into_iter().next());
     Ok(format!("{} loops with and without a wild or lost reading", gated.lines().count() - 2))

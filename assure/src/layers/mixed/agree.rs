@@ -98,6 +98,7 @@ fn status(word: &str) -> Result<i64> {
         Status::After,
         Status::Gated,
         Status::Late,
+        Status::Infeasible,
         Status::Param,
         Status::Input,
         Status::Range,

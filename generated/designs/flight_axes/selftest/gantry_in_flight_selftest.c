@@ -9,6 +9,10 @@
 typedef struct gantry_in_flight_selftest_call {
     uint32_t is_armed; /* arm is called before it */
     uint32_t start;
+    uint32_t command; /* called before it: 0 none, 1 arm_for, 2 soonest, 3 deadline */
+    uint32_t samples;
+    ptc_status told; /* its status */
+    uint32_t found; /* its result */
     uint32_t k;
     double y[3][2]; /* what is measured */
     ptc_status status;
@@ -23,13 +27,14 @@ typedef struct gantry_in_flight_selftest_session {
     uint32_t count;
 } gantry_in_flight_selftest_session;
 
-static const gantry_in_flight_selftest_session gantry_in_flight_selftest_sessions[3] = {
+static const gantry_in_flight_selftest_session gantry_in_flight_selftest_sessions[4] = {
     {.params = {.none = (char)0}, .first = 0U, .count = 72U},
     {.params = {.none = (char)0}, .first = 72U, .count = 12U},
     {.params = {.none = (char)0}, .first = 84U, .count = 42U},
+    {.params = {.none = (char)0}, .first = 126U, .count = 69U},
 };
 
-static const gantry_in_flight_selftest_call gantry_in_flight_selftest_calls[126] = {
+static const gantry_in_flight_selftest_call gantry_in_flight_selftest_calls[195] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {{0.75, 0.25}, {-0.25, -0.75}, {-1.25, -1.75}}, .status = PTC_SATURATED, .u = {-319.8001332445037, 119.93504330446369, 60.0}, .axes = {PTC_OK, PTC_OK, PTC_SATURATED}},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.7490003333333333, 0.24966677777777777}, {-0.24966677777777777, -0.7490003333333333}, {-1.2483338888888889, -1.7476674444444444}}, .status = PTC_SATURATED, .u = {-319.7466933333334, 119.87503, 60.0}, .axes = {PTC_OK, PTC_OK, PTC_SATURATED}},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {{0.7480013333333334, 0.2493337777777778}, {-0.2493337777777778, -0.7480013333333334}, {-1.246668888888889, -1.7453364444444446}}, .status = PTC_SATURATED, .u = {-319.69325327996444, 119.81501667778521, 60.0}, .axes = {PTC_OK, PTC_OK, PTC_SATURATED}},
@@ -156,6 +161,75 @@ static const gantry_in_flight_selftest_call gantry_in_flight_selftest_calls[126]
     {.is_armed = 1U, .start = 4294967290U, .k = 1479U, .y = {{-0.0, 0.32806492216023003}, {3.77399547067593e153, -0.0}, {2.0, 1.4310259693370568e308}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_HOLD, PTC_HOLD, PTC_E_RANGE}},
     {.is_armed = 0U, .start = 0U, .k = 1470U, .y = {{0.0, -0.0005484224202942518}, {-2.0, -0.0007428147153839237}, {2.0, -0.0007098052066699673}}, .status = PTC_LATE, .u = {0.026388267773074556, 5.439960740344586, -1.4436666721875249}, .axes = {PTC_LATE, PTC_LATE, PTC_LATE}},
     {.is_armed = 1U, .start = 4294967290U, .k = 1474U, .y = {{0.0006392021192665878, 1.0}, {6.550860981196275e153, -0.0}, {-0.0, -4.441735390443889e153}}, .status = PTC_SATURATED, .u = {-900.0, -400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 1U, .samples = 1024U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.00072295608960516, 0.0007510609055258779}, {-0.06050119534338519, 0.0003979917457955755}, {-0.004859096837769994, 0.026655931956754864}}, .status = PTC_OK, .u = {0.18898433916572094, 17.631950073070545, -0.9525345163797537}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 1024U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{-0.4998608147540624, 62.2417032887435}, {0.6335301474399562, 0.030857288929399762}, {0.1353441260511874, -0.09502161936531091}}, .status = PTC_SATURATED, .u = {-900.0, -193.56728027675868, -5.918762358849254}, .axes = {PTC_SATURATED, PTC_OK, PTC_OK}},
+    {.command = 3U, .samples = 1024U, .told = PTC_OK, .found = 961U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.04961536227317043, 0.022266740184153002}, {-0.00014753941369078172, 82.61400047645222}, {-0.00033170296285123203, -57.98340437538876}}, .status = PTC_SATURATED, .u = {-49.846347904052315, -400.0, 60.0}, .axes = {PTC_OK, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{-10.320080461384906, 0.0009818505872046875}, {0.18008812637274563, -45.7912050160868}, {0.0004394524576973364, (double)NAN}}, .status = PTC_E_INPUT, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_INPUT, PTC_E_INPUT, PTC_E_INPUT}},
+    {.command = 1U, .samples = 0U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.0009774098921925842, 1.7976931348623157e308}, {-0.0964299023035064, 91.85619996141784}, {1.7976931348623157e308, -0.000144027558260724}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_RANGE, PTC_OK, PTC_E_RANGE}},
+    {.command = 2U, .samples = 1U, .told = PTC_OK, .found = 109U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.00023094211044115664, 0.0016271412516393414}, {0.006319775584974297, 0.1300845554959491}, {-0.00046874365714677605, 0.07387990709527525}}, .status = PTC_OK, .u = {-8.149766027705002, -161.11889677721953, -16.986235536370526}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{(double)INFINITY, 0.0008433661579489211}, {1.7976931348623157e308, -0.09635941836980105}, {0.0008947642094283952, 55.16583131014874}}, .status = PTC_E_INPUT, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_INPUT, PTC_E_INPUT, PTC_E_INPUT}},
+    {.command = 1U, .samples = 4294967295U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.016618640837405763, 44.79794729816524}, {1.7976931348623157e308, -0.0002515286423264875}, {-61.33238788016906, -0.08108936854939786}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_OK, PTC_E_RANGE, PTC_OK}},
+    {.command = 2U, .samples = 200U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{-0.3985675040458019, 0.00036630416994698625}, {(double)INFINITY, 0.0007073396924242697}, {-0.4407997087132647, 1.7976931348623157e308}}, .status = PTC_E_INPUT, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_INPUT, PTC_E_INPUT, PTC_E_INPUT}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_OK, .found = 399U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{0.058658089598045665, 0.04707826832600903}, {-1.20256915095871e-5, -0.7979001202632059}, {-0.00012285087396080163, -0.0008926455442764465}}, .status = PTC_OK, .u = {-79.67634907489338, 162.51850893543886, 0.05981493497117748}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 200U, .told = PTC_OK, .found = 873U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.0240527508822487, 0.016972903151915488}, {-0.692646216121108, 0.0003543034637704017}, {0.07506101499332196, -0.0001205062210071477}}, .status = PTC_OK, .u = {-32.021335095289345, 245.03053355397023, -7.07644533141387}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 1U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{-0.2950723034927403, 12.727090153186449}, {0.44763176636930213, -0.029818912049096903}, {(double)INFINITY, 0.6655806681733418}}, .status = PTC_E_INPUT, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_INPUT, PTC_E_INPUT, PTC_E_INPUT}},
+    {.command = 2U, .samples = 1048576U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{0.07091304798361937, 0.0005446431389232351}, {-0.8561833870481499, 2.8088959634012146e-5}, {-0.0009652581452700795, 1.7976931348623157e308}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_OK, PTC_OK, PTC_E_RANGE}},
+    {.command = 2U, .samples = 1U, .told = PTC_OK, .found = 47931U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.00012751787251430758, 0.0012924395942781608}, {-0.07868378400453442, -95.86100168239078}, {0.7535956600122691, -0.09050206516103776}}, .status = PTC_LATE, .u = {-0.012982762301885602, 359.99986512822653, 0.06701370725073029}, .axes = {PTC_LATE, PTC_LATE, PTC_LATE}},
+    {.command = 2U, .samples = 10U, .told = PTC_OK, .found = 8498U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.03920650585284302, 0.2215392340130793}, {64.98145787245957, -0.5488822391012806}, {0.2654358347996699, 6.303279327843181e-5}}, .status = PTC_OK, .u = {-2.3164591728995143, -6.258658661885777, -0.009241785241154998}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 4294967295U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{-34.21084345815921, 0.07033659575658535}, {0.07913051267254592, 0.0006012758118417926}, {-1.7976931348623157e308, 0.0005919383282959005}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_OK, PTC_OK, PTC_E_RANGE}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.050196601403898436, (double)INFINITY}, {-0.44099829046179573, 0.0008815452647200602}, {-0.07170434054458404, -0.0008494360914368484}}, .status = PTC_E_INPUT, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_INPUT, PTC_E_INPUT, PTC_E_INPUT}},
+    {.command = 2U, .samples = 200U, .told = PTC_OK, .found = 417269U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{-0.0003227555440257519, 0.01588161060532478}, {0.0002265458735204362, 76.03256866708826}, {-83.44364097014294, -0.0001462124192056189}}, .status = PTC_LATE, .u = {-0.018267837949902162, -32.79859732626281, 0.034522647815626764}, .axes = {PTC_LATE, PTC_LATE, PTC_LATE}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{-17.297196071423016, 0.4036233296603917}, {-1.7976931348623157e308, 0.5700171185111587}, {0.00036230449289722703, 52.42808487349653}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_OK, PTC_E_RANGE, PTC_OK}},
+    {.command = 2U, .samples = 3000U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{-9.928844387477121e-5, 0.020185214847099744}, {96.63764230813348, 0.0014715760191269301}, {65.96605372377651, -0.5704911830265875}}, .status = PTC_OK, .u = {-0.023219348644262214, -0.1504917236721234, 0.03834714602225033}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 4294967295U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{73.21926364253106, 1.7976931348623157e308}, {-87.20602253342358, -0.0008587209416868687}, {0.04829917489680416, -0.01091573997118871}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_RANGE, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.04494699878308639, 0.1434722105839854}, {0.07366907419880223, -67.13458205312051}, {-0.0004938049772170663, 0.5427688343699018}}, .status = PTC_OK, .u = {-0.16485287233567442, 28.959691766507905, -0.062435497017820404}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 3U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{-0.044366352355039385, 0.03159382334294312}, {0.6153417862318662, -0.0011996993457867866}, {-25.104231681114687, 0.9451421206171082}}, .status = PTC_OK, .u = {-0.03628920078785461, -0.00044170226121143603, -0.0986575617132021}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 3000U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{38.687281104579284, 0.06781734744325518}, {0.0007358030646638352, 11.69619292947084}, {-0.1757543808203732, 0.6293221162388527}}, .status = PTC_OK, .u = {-0.2387037209805698, -5.054453775821476, -0.0724493228447661}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 40U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{0.08805000536506172, 0.8003241062351409}, {-96.1082805953569, (double)NAN}, {70.37044608403737, -1.7976931348623157e308}}, .status = PTC_E_INPUT, .u = {0.0, 0.0, 0.0}, .axes = {PTC_E_INPUT, PTC_E_INPUT, PTC_E_INPUT}},
+    {.command = 2U, .samples = 3U, .told = PTC_OK, .found = 874U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.5707546091788771, 0.049338072347890116}, {0.043663425445307796, -0.000614634283841522}, {-0.06347002618137891, -0.0009628044767255188}}, .status = PTC_OK, .u = {-0.06334180388081173, 0.00020600509005125157, 0.0001483178128272614}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.3510849497934645, -0.039959741148805565}, {-93.58703054078713, -0.010000797747282153}, {0.07314567379561954, 83.15650290370206}}, .status = PTC_OK, .u = {0.04746117405043633, 0.17032023735493426, -10.221713931128336}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 40U, .told = PTC_OK, .found = 41451U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{31.377235637171587, -0.03011106947435196}, {-0.0007345153040039069, 0.0573544494615397}, {-0.41965379950598836, -0.0003438621554399597}}, .status = PTC_OK, .u = {-0.1285225710714076, -0.028145205225658713, 0.0002695946822314105}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 0U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{-0.6363563182291607, -0.26329103641689855}, {-0.00035961040314903126, -0.0004039055906110276}, {-59.72991386648132, 0.914995134231334}}, .status = PTC_OK, .u = {0.34796092558549274, 0.00019893555416351832, -0.087774664867448}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 40U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.0006404019614918742, 0.0002881760143688827}, {0.00010991661257491337, 0.0007284596099127445}, {-0.0007594837648333963, 0.7009131769540193}}, .status = PTC_OK, .u = {-0.00038133291431902383, -0.0003584384787047077, -0.09191189582212142}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 40U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{0.0008876805940732116, -0.915442846727138}, {-0.0006745971552619803, 99.13488154467605}, {1.7976931348623157e308, 1.7976931348623157e308}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_OK, PTC_OK, PTC_E_RANGE}},
+    {.command = 2U, .samples = 1U, .told = PTC_OK, .found = 29856U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{-24.31407872709832, 0.2886599178993421}, {0.04802368437731835, 0.5256495232710499}, {0.002173439254008636, 0.0738790805229235}}, .status = PTC_OK, .u = {-0.2551042419987644, -0.2758279312120363, -0.01033509864418471}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 10U, .told = PTC_OK, .found = 329U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{0.03127620878411193, -0.0006400561399606974}, {0.06985153418178268, -0.09552325677726779}, {0.04997335865936823, 0.08311215995803325}}, .status = PTC_OK, .u = {0.000738524623167061, 0.053378799589053706, -0.012462292342813895}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 1U, .samples = 40U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{-0.0001383958612879932, -0.0003696152142407876}, {-0.0004020874974487996, -0.27678517067917463}, {-5.3189428792187685e-5, 0.0008075677072567706}}, .status = PTC_LATE, .u = {6.308384820164382, 359.47341733064536, -0.08140359332396487}, .axes = {PTC_LATE, PTC_LATE, PTC_LATE}},
+    {.command = 2U, .samples = 1U, .told = PTC_OK, .found = 35479U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{32.1962700108948, -0.7607019557847146}, {-0.07737235804681189, -7.37723095099263e-5}, {-0.7428529198429739, -0.0009126124157411453}}, .status = PTC_SATURATED, .u = {-900.0, 400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 3U, .samples = 4294967295U, .told = PTC_OK, .found = 1640U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{0.0006512262235527036, -0.29876362521029964}, {1.7976931348623157e308, 0.019659259698074274}, {-0.06382164379842628, 65.25462868036745}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_HOLD, PTC_E_RANGE, PTC_HOLD}},
+    {.command = 3U, .samples = 200U, .told = PTC_OK, .found = 1640U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{-0.0004302780347031845, -0.0007447706149442697}, {-6.789082421869819e-5, 0.8855706916274484}, {0.05429992271204769, 0.0009449211987779976}}, .status = PTC_SATURATED, .u = {900.0, -400.0, -150.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 200U, .told = PTC_OK, .found = 200U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.00012438644437877055, 0.01644860628803768}, {0.030639436148398615, 0.04818303219530249}, {0.023789307155120468, -0.013860723785396802}}, .status = PTC_SATURATED, .u = {-900.0, -400.0, -150.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 40U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{0.0005243635802373778, -0.07468919094747173}, {0.0004406546075130322, 27.605030381205765}, {5.651686133029976e-5, -3.6089840548565455}}, .status = PTC_SATURATED, .u = {809.993531566988, -400.0, 60.0}, .axes = {PTC_HOLD, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 1U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{0.00014792413044026253, 0.7559876794896445}, {-0.0009202325013242349, 0.09464212602948299}, {-1.7976931348623157e308, 2.2535164363548742e-5}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_HOLD, PTC_HOLD, PTC_E_RANGE}},
+    {.command = 2U, .samples = 3U, .told = PTC_OK, .found = 4053U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{0.0007971409131065079, -0.025422454521279603}, {0.0003382146335881751, -0.8665789629786489}, {0.7445803632624493, 0.07870900934025511}}, .status = PTC_SATURATED, .u = {-900.0, 400.0, -150.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 3U, .samples = 0U, .told = PTC_OK, .found = 1640U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{-0.000710525708788144, -0.06650939872101616}, {-0.07904437324558258, -0.04493051906695911}, {-0.032997153932404745, -0.00982292544398018}}, .status = PTC_SATURATED, .u = {900.0, 400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 0U, .told = PTC_OK, .found = 2445U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{0.02095513603669983, 0.08944946950940916}, {0.06491774087359346, -0.6708274498508253}, {-0.5004961797139396, 0.015374998763596227}}, .status = PTC_LATE, .u = {-20.07807568619316, 46.440088802171275, 5.723819463106216}, .axes = {PTC_LATE, PTC_LATE, PTC_LATE}},
+    {.command = 2U, .samples = 4294967295U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{-0.0008128469956627642, -0.03735370955004025}, {-1.7976931348623157e308, 71.00557972977575}, {-65.89685369591265, 0.04374745485194414}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_HOLD, PTC_E_RANGE, PTC_HOLD}},
+    {.command = 2U, .samples = 1048576U, .told = PTC_OK, .found = 8071U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{-0.0002078651021850091, 0.0761087625361554}, {57.22809211565241, 0.0005431756671282136}, {0.8706979394518768, 0.3285019162817837}}, .status = PTC_LATE, .u = {-4.523636560756193, -237.1847218794747, -2.915749090278065}, .axes = {PTC_LATE, PTC_LATE, PTC_LATE}},
+    {.command = 3U, .samples = 1U, .told = PTC_OK, .found = 9571U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.00036320137114231876, -0.0007213489863792353}, {-0.0009283203568549551, 0.0993730295529538}, {-0.0007080826722089005, 0.0006960401837256507}}, .status = PTC_SATURATED, .u = {-900.0, -134.5283222155243, 60.0}, .axes = {PTC_SATURATED, PTC_HOLD, PTC_SATURATED}},
+    {.command = 1U, .samples = 1U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.02007637562724196, 0.00011596381682605817}, {0.0030229818772324227, 0.02880906478754257}, {3.721822208562209e-5, 1.5834175798632444}}, .status = PTC_SATURATED, .u = {-900.0, -400.0, -150.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 10U, .told = PTC_OK, .found = 879U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.587439196197002, -0.017108402203243524}, {0.0005434199974382406, -0.0002052761863124697}, {-0.0002910932270635245, -0.09727059603146349}}, .status = PTC_SATURATED, .u = {900.0, -400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 4294967295U, .told = PTC_OK, .found = 2716U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {{0.00023968840676062553, -0.3625505366015107}, {0.09059161499408291, 0.020711628487580815}, {-0.547136341592839, 0.0008635955915697922}}, .status = PTC_SATURATED, .u = {900.0, -400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 10U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{-0.0003978797932756819, 0.00016638711039809097}, {0.000913346635099356, -0.08277315507196617}, {-1.7976931348623157e308, -0.0009173315636844646}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_HOLD, PTC_HOLD, PTC_E_RANGE}},
+    {.command = 2U, .samples = 40U, .told = PTC_OK, .found = 493U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{0.00492007729625581, 0.00014571621255027444}, {-0.0009329366214734483, 0.32043146331905614}, {0.07546985356131244, 0.24838602872439863}}, .status = PTC_SATURATED, .u = {-900.0, -400.0, -150.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 1048576U, .told = PTC_OK, .found = 169328U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{-77.96326263076023, 0.7238164394514648}, {-0.051675154939780345, -0.02630143218738137}, {-33.855247838691206, -0.0003644445400591376}}, .status = PTC_SATURATED, .u = {900.0, 400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 40U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{3.378325714698294e-5, 0.31118764747821825}, {0.0004371165183555108, -0.0008415285309356857}, {-58.48099607785564, 1.7976931348623157e308}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_HOLD, PTC_HOLD, PTC_E_RANGE}},
+    {.command = 2U, .samples = 1U, .told = PTC_OK, .found = 42U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{-9.327825464267892e-5, 0.0006066092910875145}, {4.3995711541968685e-5, -4.233237909922294e-5}, {-0.0007126481368233662, 0.0002789636826353834}}, .status = PTC_SATURATED, .u = {270.88474935977155, -50.90402520166774, 60.0}, .axes = {PTC_HOLD, PTC_HOLD, PTC_SATURATED}},
+    {.command = 2U, .samples = 1048576U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{-0.002983813189021434, 0.06923616046438963}, {0.0008538443723938864, -0.10305949190897357}, {-0.019681269165766693, 0.5672821030913993}}, .status = PTC_SATURATED, .u = {900.0, 266.82112127961346, 60.0}, .axes = {PTC_SATURATED, PTC_HOLD, PTC_SATURATED}},
+    {.command = 2U, .samples = 10U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{57.558623664559974, -1.9877670484961252}, {-0.0605764882077851, 72.17271549630063}, {-0.020175867275436854, -0.0037421529036842705}}, .status = PTC_SATURATED, .u = {-900.0, -400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 200U, .told = PTC_OK, .found = 153U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.009893734759711316, 0.0008198692851723195}, {0.025304390887944006, -0.00994879764185208}, {0.0009100672164545889, 0.0002687869335763289}}, .status = PTC_SATURATED, .u = {900.0, -400.0, -150.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 3U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{-0.0008751214861267662, -0.06853202528927115}, {0.013075840064300938, 65.4663474741126}, {-0.0006576710735691567, 0.6055958984566703}}, .status = PTC_SATURATED, .u = {4.085042016316439, -400.0, -3.600549623190355}, .axes = {PTC_OK, PTC_SATURATED, PTC_OK}},
+    {.command = 2U, .samples = 10U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.0005545036371517627, 0.04023470059661172}, {-0.5154244018424252, -1.7976931348623157e308}, {0.04921343205938311, 0.08366993428210548}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_HOLD, PTC_E_RANGE, PTC_HOLD}},
+    {.command = 2U, .samples = 3000U, .told = PTC_OK, .found = 1344U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.09299856765069046, 0.8108187982715451}, {-0.000937151192262883, -0.00014263955692042285}, {0.3306020460142778, -0.22974038585567058}}, .status = PTC_SATURATED, .u = {900.0, 400.0, -150.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 200U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{1.3970094289373237e-5, 0.09550895296755924}, {0.1782841464939715, 0.00022643817478101402}, {0.0004009793395386492, -9.850244724699465}}, .status = PTC_SATURATED, .u = {-900.0, -400.0, 60.0}, .axes = {PTC_SATURATED, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 2U, .samples = 40U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 750U, .y = {{1.3854636594591741e-5, -0.0001643332459901319}, {-0.0005406648051170863, -0.316933002541089}, {-77.3649715515684, 21.62191502760924}}, .status = PTC_SATURATED, .u = {-37.80510393255695, 400.0, 60.0}, .axes = {PTC_HOLD, PTC_SATURATED, PTC_SATURATED}},
+    {.command = 1U, .samples = 10U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.000912421136388079, -0.09426923695006698}, {43.196668458072175, 0.018860170758377738}, {-0.00040233707433344934, -0.08029050848841571}}, .status = PTC_LATE, .u = {6.463935604021829, -237.52337855950938, 0.5499945598928558}, .axes = {PTC_LATE, PTC_LATE, PTC_LATE}},
+    {.command = 2U, .samples = 3U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{0.0003937132058032051, 0.25026217965176945}, {23.02253850229694, 9.096321477534408}, {-23.165767537844562, -67.22730738768242}}, .status = PTC_SATURATED, .u = {-17.1329554657101, -359.81783929721473, 60.0}, .axes = {PTC_OK, PTC_OK, PTC_SATURATED}},
+    {.command = 2U, .samples = 1U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.0005216321986125446, -0.04740921225272457}, {0.00045132115677781173, 0.9149012632583098}, {-0.1981450138377474, -0.6113392675249711}}, .status = PTC_OK, .u = {3.236448536547964, -23.479040699947383, 4.473175448181028}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 10U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{68.06519670962953, -1.825746444866616}, {-1.7976931348623157e308, 0.7320284072274199}, {42.566856478700664, 99.91882271613801}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_OK, PTC_E_RANGE, PTC_OK}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{-0.0009294502103835012, 0.08632144033061787}, {-0.0009052951340962794, 0.4603325743492248}, {-0.0008833062773176204, 0.6720911226714195}}, .status = PTC_OK, .u = {-5.893137338219627, -11.807265563507402, -4.5976416882869495}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_OK, .found = 312U, .is_armed = 0U, .start = 0U, .k = 1500U, .y = {{0.08311398068242795, -0.5553336499499066}, {0.00043712780266931994, 0.030206082645252288}, {-0.0579454544816965, 0.04925977516197331}}, .status = PTC_OK, .u = {49.30402357749762, -1.055719654071575, -0.3011914663901702}, .axes = {PTC_OK, PTC_OK, PTC_OK}},
+    {.command = 2U, .samples = 0U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.4507908717544242, 2.2311913569006414}, {1.7976931348623157e308, 37.23220024090106}, {1.7976931348623157e308, 0.9612840530147089}}, .status = PTC_E_RANGE, .u = {0.0, 0.0, 0.0}, .axes = {PTC_OK, PTC_E_RANGE, PTC_E_RANGE}},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -165,6 +239,35 @@ static uint32_t gantry_in_flight_selftest_differs(double value, double wanted)
 
     if (fabs(value - wanted) <= 0.0) {
         failures = 0U;
+    }
+    return failures;
+}
+
+/* The failures of what is called before a call. */
+static uint32_t gantry_in_flight_selftest_command(gantry_in_flight *self, const gantry_in_flight_selftest_call *call)
+{
+    uint32_t failures = 0U;
+    uint32_t found = 0U;
+    ptc_status told = call->told;
+
+    switch (call->command) {
+    case 1U:
+        told = gantry_in_flight_arm_for(self, call->k, call->samples);
+        break;
+    case 2U:
+        told = gantry_in_flight_soonest(self, call->y, &found);
+        break;
+    case 3U:
+        told = gantry_in_flight_deadline(self, &found);
+        break;
+    default:
+        break;
+    }
+    if (told != call->told) {
+        failures++;
+    }
+    if (found != call->found) {
+        failures++;
     }
     return failures;
 }
@@ -181,6 +284,7 @@ static uint32_t gantry_in_flight_selftest_check(gantry_in_flight *self, const ga
             failures++;
         }
     }
+    failures += gantry_in_flight_selftest_command(self, call);
     if (gantry_in_flight_step(self, call->k, call->y, u, axes) != call->status) {
         failures++;
     }
@@ -209,7 +313,7 @@ static uint32_t gantry_in_flight_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 3U; i++) {
+    for (uint32_t i = 0U; i < 4U; i++) {
         const gantry_in_flight_selftest_session *session = &gantry_in_flight_selftest_sessions[i];
         gantry_in_flight self;
 

@@ -9,6 +9,11 @@
 typedef struct in_flight_selftest_call {
     uint32_t is_armed; /* arm is called before it */
     uint32_t start;
+    uint32_t command; /* called before it: 0 none, 1 arm_for, 2 deadline, 3 assume, 4 assume_disturbance, 5 applied */
+    uint32_t samples;
+    double given[2];
+    ptc_status told; /* its status */
+    uint32_t found; /* its result */
     uint32_t k;
     double y[1]; /* what is measured */
     ptc_status status;
@@ -24,14 +29,15 @@ typedef struct in_flight_selftest_session {
     uint32_t count;
 } in_flight_selftest_session;
 
-static const in_flight_selftest_session in_flight_selftest_sessions[4] = {
+static const in_flight_selftest_session in_flight_selftest_sessions[5] = {
     {.params = {.none = (char)0}, .first = 0U, .count = 42U},
     {.params = {.none = (char)0}, .first = 42U, .count = 2U},
     {.params = {.none = (char)0}, .first = 44U, .count = 1U},
     {.params = {.none = (char)0}, .first = 45U, .count = 2U},
+    {.params = {.none = (char)0}, .first = 47U, .count = 11U},
 };
 
-static const in_flight_selftest_call in_flight_selftest_calls[47] = {
+static const in_flight_selftest_call in_flight_selftest_calls[58] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .status = PTC_OK, .u = -1.303269932656407, .xhat = {0.75, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7450083333333334}, .status = PTC_OK, .u = -1.2993489863511585, .xhat = {0.7499934890772358, -0.02603284403930748}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7400333333333332}, .status = PTC_SATURATED, .u = 10.0, .xhat = {0.7411005722392217, -5.503858507878538}, .d = -42.09496118475811},
@@ -79,6 +85,17 @@ static const in_flight_selftest_call in_flight_selftest_calls[47] = {
     {.is_armed = 1U, .start = 0U, .k = 73U, .y = {-7.025854523460211e307}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {0.0, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 58U, .y = {8.821688709822372e153}, .status = PTC_SATURATED, .u = -10.0, .xhat = {8.821688709822372e153, 0.0}, .d = 0.0},
     {.is_armed = 1U, .start = 4294967290U, .k = 233U, .y = {-3.542846648315711e153}, .status = PTC_SATURATED, .u = 10.0, .xhat = {-3.542846648315711e153, 0.0}, .d = 0.0},
+    {.command = 1U, .samples = 1024U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 150U, .y = {-0.0001919322134355017}, .status = PTC_OK, .u = 0.0013033705814417518, .xhat = {-0.0001919322134355017, 0.0}, .d = 0.0},
+    {.command = 2U, .samples = 1024U, .told = PTC_OK, .found = 300U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {-0.3487185336351768}, .status = PTC_OK, .u = 0.00032548315442155925, .xhat = {-0.00019192570200991276, 2.603485450089028e-5}, .d = 0.0},
+    {.command = 3U, .samples = 1024U, .told = PTC_OK, .given = {-0.09728666113673948, 0.0}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 150U, .y = {-0.06470851784951247}, .status = PTC_SATURATED, .u = 10.0, .xhat = {-0.09728666113673948, 0.0}, .d = -2942.9800765496666},
+    {.command = 4U, .samples = 1024U, .told = PTC_OK, .given = {0.060990107274426775}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {61.66624028512053}, .status = PTC_SATURATED, .u = 10.0, .xhat = {-0.0982224700196212, -81.76634788439812}, .d = 0.060990107274426775},
+    {.command = 5U, .samples = 1024U, .told = PTC_OK, .given = {0.3670304664935049}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {0.03151915608260474}, .status = PTC_SATURATED, .u = -10.0, .xhat = {109.35682819818626, 67145.64113802458}, .d = 521542.9767666489},
+    {.command = 1U, .samples = 10U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {-36.0886718857613}, .status = PTC_SATURATED, .u = 10.0, .xhat = {-7.13511711977719, -31373.614868489236}, .d = -401606.6452422485},
+    {.command = 1U, .samples = 0U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {-0.8655921526913652}, .status = PTC_SATURATED, .u = 10.0, .xhat = {-97.79710100167239, -78755.46015085565}, .d = -646092.2394036005},
+    {.command = 5U, .samples = 200U, .told = PTC_E_INPUT, .given = {(double)INFINITY}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 300U, .y = {-0.09279846541452788}, .status = PTC_SATURATED, .u = -10.0, .xhat = {-17.35252192960248, 1362.4867573160025}, .d = 172403.3728084562},
+    {.command = 3U, .samples = 2147483648U, .told = PTC_E_INPUT, .given = {0.2525663377995009, (double)INFINITY}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 300U, .y = {-1.7976931348623157e308}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {-17.35252192960248, 1362.4867573160025}, .d = 172403.3728084562},
+    {.command = 4U, .samples = 200U, .told = PTC_E_INPUT, .given = {(double)NAN}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 150U, .y = {0.6436213450237966}, .status = PTC_SATURATED, .u = -10.0, .xhat = {18.058324947978736, 27020.753644033328}, .d = 318145.53746867157},
+    {.command = 3U, .samples = 0U, .told = PTC_E_INPUT, .given = {(double)NAN, -0.09897812293795732}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 300U, .y = {0.0009561098285078244}, .status = PTC_SATURATED, .u = -10.0, .xhat = {20.47957535027425, 20624.822152766785}, .d = 171094.7110010925},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -88,6 +105,41 @@ static uint32_t in_flight_selftest_differs(double value, double wanted)
 
     if (fabs(value - wanted) <= 0.0) {
         failures = 0U;
+    }
+    return failures;
+}
+
+/* The failures of what is called before a call. */
+static uint32_t in_flight_selftest_command(in_flight *self, const in_flight_selftest_call *call)
+{
+    uint32_t failures = 0U;
+    uint32_t found = 0U;
+    ptc_status told = call->told;
+
+    switch (call->command) {
+    case 1U:
+        told = in_flight_arm_for(self, call->k, call->samples);
+        break;
+    case 2U:
+        told = in_flight_deadline(self, &found);
+        break;
+    case 3U:
+        told = in_flight_assume(self, &call->given[0]);
+        break;
+    case 4U:
+        told = in_flight_assume_disturbance(self, call->given[0]);
+        break;
+    case 5U:
+        told = in_flight_applied(self, call->given[0]);
+        break;
+    default:
+        break;
+    }
+    if (told != call->told) {
+        failures++;
+    }
+    if (found != call->found) {
+        failures++;
     }
     return failures;
 }
@@ -105,6 +157,7 @@ static uint32_t in_flight_selftest_check(in_flight *self, const in_flight_selfte
             failures++;
         }
     }
+    failures += in_flight_selftest_command(self, call);
     if (in_flight_step(self, call->k, call->y, &u) != call->status) {
         failures++;
     }
@@ -138,7 +191,7 @@ static uint32_t in_flight_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 4U; i++) {
+    for (uint32_t i = 0U; i < 5U; i++) {
         const in_flight_selftest_session *session = &in_flight_selftest_sessions[i];
         in_flight self;
 

@@ -9,6 +9,11 @@
 typedef struct late_stage_selftest_call {
     uint32_t is_armed; /* arm is called before it */
     uint32_t start;
+    uint32_t command; /* called before it: 0 none, 1 arm_for, 2 soonest, 3 deadline, 4 move, 5 assume, 6 assume_disturbance, 7 applied */
+    uint32_t samples;
+    double given[2];
+    ptc_status told; /* its status */
+    uint32_t found; /* its result */
     uint32_t k;
     double y[1]; /* what is measured */
     ptc_status status;
@@ -24,14 +29,15 @@ typedef struct late_stage_selftest_session {
     uint32_t count;
 } late_stage_selftest_session;
 
-static const late_stage_selftest_session late_stage_selftest_sessions[4] = {
+static const late_stage_selftest_session late_stage_selftest_sessions[5] = {
     {.params = {.none = (char)0}, .first = 0U, .count = 42U},
     {.params = {.none = (char)0}, .first = 42U, .count = 5U},
     {.params = {.none = (char)0}, .first = 47U, .count = 1U},
     {.params = {.none = (char)0}, .first = 48U, .count = 16U},
+    {.params = {.none = (char)0}, .first = 64U, .count = 18U},
 };
 
-static const late_stage_selftest_call late_stage_selftest_calls[64] = {
+static const late_stage_selftest_call late_stage_selftest_calls[82] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75}, .status = PTC_LATE, .u = -3.625406851213303, .xhat = {0.75, 0.0}, .d = 0.0},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7481261718750001}, .status = PTC_OK, .u = -3.6033299363236715, .xhat = {0.7498887115858045, -0.0017033497552366567}, .d = -0.008690559975697227},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7462546875}, .status = PTC_OK, .u = -3.5651238948113395, .xhat = {0.7496690695144652, -0.007460260690827082}, .d = -0.02578891550457462},
@@ -96,6 +102,24 @@ static const late_stage_selftest_call late_stage_selftest_calls[64] = {
     {.is_armed = 1U, .start = 4294967290U, .k = 701U, .y = {0.0007532588683442364}, .status = PTC_OK, .u = -5.0183958190665106, .xhat = {0.0004149125472433521, 0.04570525617135997}, .d = 1.6839579253119215},
     {.is_armed = 0U, .start = 0U, .k = 793U, .y = {-0.0006584024068272549}, .status = PTC_HOLD, .u = -0.6074672404843036, .xhat = {5.768705829521149e-5, -0.0005505629877327889}, .d = 0.03144377502930684},
     {.is_armed = 1U, .start = 4294967290U, .k = 765U, .y = {-0.00047633469247182237}, .status = PTC_LATE, .u = 4.02457299920929, .xhat = {-0.0001357674355453813, -0.025095157538405067}, .d = -0.7544806640317108},
+    {.command = 1U, .samples = 1024U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {0.03957940037256842}, .status = PTC_OK, .u = -0.3400447933402025, .xhat = {0.03957940037256842, 0.0}, .d = 0.0},
+    {.command = 2U, .samples = 1024U, .told = PTC_OK, .found = 302U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {-0.9728666113673947}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.32450217035165474, -40.398092094057645}, .d = -1496.225633113246},
+    {.command = 3U, .samples = 1024U, .told = PTC_OK, .found = 1031U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {0.5828280052597419}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.02441103898205621, -3.560139020160257}, .d = -94.90476178601966},
+    {.command = 4U, .samples = 1024U, .told = PTC_OK, .given = {-0.0006470851784951246}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 800U, .y = {-0.35507933540131353}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.1452057935520052, -16.696144930423223}, .d = -579.2283198998082},
+    {.command = 5U, .samples = 1024U, .told = PTC_OK, .given = {0.6166624028512053, 0.3670304664935049}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {0.03151915608260474}, .status = PTC_SATURATED, .u = -6.0, .xhat = {0.40624143233835885, -22.981049823288103}, .d = -1443.972034336164},
+    {.command = 6U, .samples = 1024U, .told = PTC_OK, .given = {-0.0}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {0.000929440430266613}, .status = PTC_SATURATED, .u = 6.0, .xhat = {0.24577319644516585, -38.23269923652413}, .d = -565.024052342075},
+    {.command = 7U, .samples = 1024U, .told = PTC_OK, .given = {-0.00016096713749881708}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 400U, .y = {-0.9440983356923232}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.2067175282956534, -84.55787839895493}, .d = -2266.672069411313},
+    {.command = 2U, .samples = 3U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 400U, .y = {-0.03306843631202501}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.19890650829750395, -75.73600565703508}, .d = -1883.9688263679},
+    {.command = 1U, .samples = 40U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {-0.08788054344360532}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.20788268539219643, -69.51092833781685}, .d = -1607.040806486536},
+    {.command = 7U, .samples = 200U, .told = PTC_E_INPUT, .given = {(double)INFINITY}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 800U, .y = {-0.09279846541452788}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.21135387288231533, -63.19137502555856}, .d = -1333.4514046377958},
+    {.command = 1U, .samples = 4294967295U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {6.063542673396971e-5}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.17607871298558128, -53.10150630449847}, .d = -926.9759852247607},
+    {.command = 1U, .samples = 1U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 800U, .y = {-0.0004254067623468774}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.14711523231882478, -44.57558577920623}, .d = -588.4610031713503},
+    {.command = 3U, .samples = 2147483648U, .told = PTC_OK, .found = 41U, .is_armed = 0U, .start = 0U, .k = 800U, .y = {0.08456181302576178}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.09247307378653948, -33.9332578594258}, .d = -179.91895668142433},
+    {.command = 2U, .samples = 200U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {-0.8294368582460572}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.37925739041409123, -62.09884759546155}, .d = -1218.7946516782688},
+    {.command = 5U, .samples = 4294967295U, .told = PTC_E_INPUT, .given = {(double)NAN, -0.22012336710328917}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 800U, .y = {-0.2042169967447207}, .status = PTC_SATURATED, .u = 6.0, .xhat = {-0.35633845388429825, -53.42904041839647}, .d = -867.7451352023207},
+    {.command = 6U, .samples = 2147483648U, .told = PTC_E_INPUT, .given = {(double)INFINITY}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {1.7976931348623157e308}, .status = PTC_E_RANGE, .u = 0.0, .xhat = {-0.35633845388429825, -53.42904041839647}, .d = -867.7451352023207},
+    {.command = 4U, .samples = 1048576U, .told = PTC_E_INPUT, .given = {(double)INFINITY}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {72.79929465463223}, .status = PTC_SATURATED, .u = -6.0, .xhat = {25.916460065219756, 2867.157694934349}, .d = 107323.4116095957},
+    {.command = 2U, .samples = 200U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 400U, .y = {-0.09036191990712793}, .status = PTC_SATURATED, .u = -6.0, .xhat = {18.423275023825433, 1785.1686418209995}, .d = 64599.63404713596},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -105,6 +129,47 @@ static uint32_t late_stage_selftest_differs(double value, double wanted)
 
     if (fabs(value - wanted) <= 0.0) {
         failures = 0U;
+    }
+    return failures;
+}
+
+/* The failures of what is called before a call. */
+static uint32_t late_stage_selftest_command(late_stage *self, const late_stage_selftest_call *call)
+{
+    uint32_t failures = 0U;
+    uint32_t found = 0U;
+    ptc_status told = call->told;
+
+    switch (call->command) {
+    case 1U:
+        told = late_stage_arm_for(self, call->k, call->samples);
+        break;
+    case 2U:
+        told = late_stage_soonest(self, &found);
+        break;
+    case 3U:
+        told = late_stage_deadline(self, &found);
+        break;
+    case 4U:
+        told = late_stage_move(self, call->given[0]);
+        break;
+    case 5U:
+        told = late_stage_assume(self, &call->given[0]);
+        break;
+    case 6U:
+        told = late_stage_assume_disturbance(self, call->given[0]);
+        break;
+    case 7U:
+        told = late_stage_applied(self, call->given[0]);
+        break;
+    default:
+        break;
+    }
+    if (told != call->told) {
+        failures++;
+    }
+    if (found != call->found) {
+        failures++;
     }
     return failures;
 }
@@ -122,6 +187,7 @@ static uint32_t late_stage_selftest_check(late_stage *self, const late_stage_sel
             failures++;
         }
     }
+    failures += late_stage_selftest_command(self, call);
     if (late_stage_step(self, call->k, call->y, &u) != call->status) {
         failures++;
     }
@@ -155,7 +221,7 @@ static uint32_t late_stage_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 4U; i++) {
+    for (uint32_t i = 0U; i < 5U; i++) {
         const late_stage_selftest_session *session = &late_stage_selftest_sessions[i];
         late_stage self;
 

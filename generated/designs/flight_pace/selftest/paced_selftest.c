@@ -9,6 +9,11 @@
 typedef struct paced_selftest_call {
     uint32_t is_armed; /* arm is called before it */
     uint32_t start;
+    uint32_t command; /* called before it: 0 none, 1 arm_for, 2 soonest, 3 deadline, 4 applied */
+    uint32_t samples;
+    double given[1];
+    ptc_status told; /* its status */
+    uint32_t found; /* its result */
     uint32_t k;
     double y[2]; /* what is measured */
     ptc_status status;
@@ -22,7 +27,7 @@ typedef struct paced_selftest_session {
     uint32_t count;
 } paced_selftest_session;
 
-static const paced_selftest_session paced_selftest_sessions[9] = {
+static const paced_selftest_session paced_selftest_sessions[10] = {
     {.params = {.u_max = (double)INFINITY}, .first = 0U, .count = 48U},
     {.params = {.u_max = (double)INFINITY}, .first = 48U, .count = 3U},
     {.params = {.u_max = (double)INFINITY}, .first = 51U, .count = 2U},
@@ -32,9 +37,10 @@ static const paced_selftest_session paced_selftest_sessions[9] = {
     {.params = {.u_max = (double)INFINITY}, .first = 61U, .count = 1U},
     {.params = {.u_max = 1.0}, .first = 62U, .count = 6U},
     {.params = {.u_max = 1.0}, .first = 68U, .count = 5U},
+    {.params = {.u_max = (double)INFINITY}, .first = 73U, .count = 14U},
 };
 
-static const paced_selftest_call paced_selftest_calls[73] = {
+static const paced_selftest_call paced_selftest_calls[87] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75, 0.25}, .status = PTC_LATE, .u = -0.018206583332633752},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7350749999999999, 0.245025}, .status = PTC_OK, .u = -0.03640769202946967},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7202999999999999, 0.24009999999999998}, .status = PTC_OK, .u = -0.054612759537882},
@@ -108,6 +114,20 @@ static const paced_selftest_call paced_selftest_calls[73] = {
     {.is_armed = 1U, .start = 4294967290U, .k = 4294967290U, .y = {0.7882081229685903, -0.8260997958450387}, .status = PTC_LATE, .u = 0.00507711281387673},
     {.is_armed = 0U, .start = 0U, .k = 63U, .y = {0.37623140846405434, 0.8566536825266087}, .status = PTC_LATE, .u = -0.0060995816496026475},
     {.is_armed = 1U, .start = 4294967290U, .k = 78U, .y = {0.34355909782881733, -0.8015809280840673}, .status = PTC_LATE, .u = 0.010102466775787132},
+    {.command = 1U, .samples = 1024U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 50U, .y = {7.309684141600448e-5, -0.03770801174364487}, .status = PTC_OK, .u = 0.000244376897735145},
+    {.command = 2U, .samples = 1024U, .told = PTC_OK, .found = 117U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {0.09527314141919903, 0.0002834403462306929}, .status = PTC_AFTER, .u = 0.0},
+    {.command = 3U, .samples = 1024U, .told = PTC_OK, .found = 1010U, .is_armed = 0U, .start = 0U, .k = 50U, .y = {-15.367561916847738, 0.8853972510381078}, .status = PTC_LATE, .u = 0.008133077953323638},
+    {.command = 4U, .samples = 1024U, .told = PTC_OK, .given = {-0.4971078945764067}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {0.020776921839198992, 0.5749530967891172}, .status = PTC_AFTER, .u = 0.0},
+    {.command = 1U, .samples = 0U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 50U, .y = {0.0006771160586541306, -0.28134760768996214}, .status = PTC_OK, .u = 0.0014519891428888515},
+    {.command = 1U, .samples = 4294967295U, .told = PTC_E_PARAM, .found = 0U, .is_armed = 0U, .start = 0U, .k = 100U, .y = {-0.030280711727923106, 57.33109715488656}, .status = PTC_LATE, .u = 0.0012657874389261797},
+    {.command = 2U, .samples = 2147483648U, .told = PTC_OK, .found = 2394U, .is_armed = 0U, .start = 0U, .k = 50U, .y = {-53.55952632496157, -0.009218936158192715}, .status = PTC_OK, .u = 0.0012664209566853638},
+    {.command = 2U, .samples = 0U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {73.7260486031978, (double)INFINITY}, .status = PTC_E_INPUT, .u = 0.0},
+    {.command = 2U, .samples = 3U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {-1.7976931348623157e308, 76.5834584543789}, .status = PTC_E_RANGE, .u = 0.0},
+    {.command = 2U, .samples = 3000U, .told = PTC_E_INPUT, .found = 0U, .is_armed = 0U, .start = 0U, .k = 100U, .y = {(double)NAN, 29.330280438891542}, .status = PTC_E_INPUT, .u = 0.0},
+    {.command = 4U, .samples = 0U, .told = PTC_E_INPUT, .given = {(double)NAN}, .found = 0U, .is_armed = 0U, .start = 0U, .k = 50U, .y = {0.308609153571199, 0.08052999611851286}, .status = PTC_OK, .u = 0.0012656756871531271},
+    {.command = 2U, .samples = 0U, .told = PTC_OK, .found = 194U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {0.00014758960357349517, -0.6304964011127101}, .status = PTC_AFTER, .u = 0.0},
+    {.command = 2U, .samples = 3U, .told = PTC_OK, .found = 6U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {9.50199431579759e-5, 0.005374570807579637}, .status = PTC_AFTER, .u = 0.0},
+    {.command = 1U, .samples = 2147483648U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 100U, .y = {1.7976931348623157e308, 0.04040287034143922}, .status = PTC_E_RANGE, .u = 0.0},
 };
 
 /* 1 where a number is not the one that must come. */
@@ -117,6 +137,38 @@ static uint32_t paced_selftest_differs(double value, double wanted)
 
     if (fabs(value - wanted) <= 0.0) {
         failures = 0U;
+    }
+    return failures;
+}
+
+/* The failures of what is called before a call. */
+static uint32_t paced_selftest_command(paced *self, const paced_selftest_call *call)
+{
+    uint32_t failures = 0U;
+    uint32_t found = 0U;
+    ptc_status told = call->told;
+
+    switch (call->command) {
+    case 1U:
+        told = paced_arm_for(self, call->k, call->samples);
+        break;
+    case 2U:
+        told = paced_soonest(self, call->y, &found);
+        break;
+    case 3U:
+        told = paced_deadline(self, &found);
+        break;
+    case 4U:
+        told = paced_applied(self, call->given[0]);
+        break;
+    default:
+        break;
+    }
+    if (told != call->told) {
+        failures++;
+    }
+    if (found != call->found) {
+        failures++;
     }
     return failures;
 }
@@ -132,6 +184,7 @@ static uint32_t paced_selftest_check(paced *self, const paced_selftest_call *cal
             failures++;
         }
     }
+    failures += paced_selftest_command(self, call);
     if (paced_step(self, call->k, call->y, &u) != call->status) {
         failures++;
     }
@@ -155,7 +208,7 @@ static uint32_t paced_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 9U; i++) {
+    for (uint32_t i = 0U; i < 10U; i++) {
         const paced_selftest_session *session = &paced_selftest_sessions[i];
         paced self;
 

@@ -3,14 +3,65 @@
  *   ptc-codegen emit --lang c --n 3 --mu "exp(a=1)" --name too_soon --clock samples --late=refuse --state-max=inf,0.5,4 --precision f32 --tau=1.5 --eps=0 --u-max=20 --poles="least-energy(weight=1)" --sample-time=0.01 --selftest
  * Version 0.1.0.
  *
- * 2 sets of parameters with 57 calls, 0 sets that init must refuse. The expected values were
+ * 3 sets of parameters with 110 calls, 0 sets that init must refuse. The expected values were
  * computed by the generator, which runs this very program in the arithmetic of IEEE 754: the
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   arm_for: a function that is not called here.
- *   soonest: a function that is not called here.
- *   deadline: a function that is not called here.
+ *   b2 <= most: never false in 3803 calls.
+ *   least <= b3: never false in 3803 calls.
+ *   b3 <= most: never false in 3803 calls.
+ *   least <= b4: never false in 3803 calls.
+ *   least <= b5: never false in 3803 calls.
+ *   b5 <= most: never false in 3803 calls.
+ *   least <= b6: never false in 3803 calls.
+ *   b6 <= most: never false in 3803 calls.
+ *   -most2 <= s0_c: never false in 3803 calls.
+ *   s0_c <= most2: never false in 3803 calls.
+ *   -most2 <= s1: never false in 3803 calls.
+ *   s1 <= most2: never false in 3803 calls.
+ *   s6 <= most2: never false in 3803 calls.
+ *   s7 <= most2: never false in 3803 calls.
+ *   -most2 <= s9: never false in 3803 calls.
+ *   -most3 <= v0_c: never false in 3803 calls.
+ *   v0_c <= most3: never false in 3803 calls.
+ *   -most3 <= v1: never false in 3803 calls.
+ *   v1 <= most3: never false in 3803 calls.
+ *   -most3 <= v2: never false in 3803 calls.
+ *   v2 <= most3: never false in 3803 calls.
+ *   -most3 <= v3: never false in 3803 calls.
+ *   v3 <= most3: never false in 3803 calls.
+ *   -most3 <= v4: never false in 3803 calls.
+ *   v4 <= most3: never false in 3803 calls.
+ *   -most3 <= v5: never false in 3803 calls.
+ *   v5 <= most3: never false in 3803 calls.
+ *   -most3 <= v6: never false in 3803 calls.
+ *   v6 <= most3: never false in 3803 calls.
+ *   -most3 <= v7: never false in 3803 calls.
+ *   v7 <= most3: never false in 3803 calls.
+ *   -most3 <= v8: never false in 3803 calls.
+ *   v8 <= most3: never false in 3803 calls.
+ *   least <= end61: never false in 3803 calls.
+ *   end61 <= most: never false in 3803 calls.
+ *   least <= end62: never false in 3803 calls.
+ *   end62 <= most: never false in 3803 calls.
+ *   least <= end63: never false in 3803 calls.
+ *   end63 <= most: never false in 3803 calls.
+ *   -most2 <= end64: never false in 3803 calls.
+ *   end64 <= most2: never false in 3803 calls.
+ *   -most2 <= end65: never false in 3803 calls.
+ *   end65 <= most2: never false in 3803 calls.
+ *   -most2 <= end66: never false in 3803 calls.
+ *   end66 <= most2: never false in 3803 calls.
+ *   -most3 <= end67: never false in 3803 calls.
+ *   end67 <= most3: never false in 3803 calls.
+ *   -most3 <= end68: never false in 3803 calls.
+ *   end68 <= most3: never false in 3803 calls.
+ *   -most3 <= end69: never false in 3803 calls.
+ *   end69 <= most3: never false in 3803 calls.
+ *   low < top: never false in 3803 calls.
+ *   PTC_FINITE_F32(flat2): never false in 3803 calls.
+ *   PTC_FINITE_F32(flat3): never false in 3803 calls.
  */
 #ifndef TOO_SOON_SELFTEST_H
 #define TOO_SOON_SELFTEST_H

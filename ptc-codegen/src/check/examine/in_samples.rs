@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use super::Report;
 use super::{membership, of_chain, of_error, rest};
 use crate::check::Outcome;
+use crate::check::filter;
 use crate::check::resolved::Looped;
 use crate::check::sampled;
 use crate::check::zeros;
@@ -20,10 +21,18 @@ const EXACT: &str = "the law is exact in samples, at any period";
 /// error of a period has nothing to say.
 pub(super) fn in_samples(spec: Spec, known: Option<Looped>) -> Report {
     let continuous = Spec { n: spec.loop_order(), clock: Clock::Time, ..spec.clone() };
-    if spec.what == What::Observer {
-        let alone = |name: &&'static str| Outcome::not_needed(name, "an observer alone has no law");
+    if !spec.has_law() {
+        let reason = match spec.what {
+            What::Filter => "a filter has no law",
+            _ => "an observer alone has no law",
+        };
+        let alone = |name: &&'static str| match spec.keep().filter(|_| *name == sampled::NAME) {
+            Some(keep) => filter::outcome(&spec, keep),
+            None => Outcome::not_needed(name, reason),
+        };
         let mut outcomes = vec![membership(&continuous)];
-        outcomes.extend(CHECKS[1..].iter().filter(|name| **name != zeros::NAME).map(alone));
+        let others = CHECKS[1..].iter().filter(|name| **name != zeros::NAME);
+        outcomes.extend(others.map(alone).collect::<Vec<_>>());
         return Report {
             spec,
             choices: Vec::new(),

@@ -6,7 +6,7 @@ use super::known::{decay, fixed_gains};
 use crate::algebra::BigRational;
 use crate::algebra::polynomial::Polynomial;
 use crate::linear::{Complex, roots};
-use crate::request::{Feedback, Spec, What};
+use crate::request::{Feedback, Spec};
 
 /// The poles of the loop in stretched time, and the lines that they have to be left of.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Plane {
 
 /// The plane of a law whose gains are fixed; `None` for every other law.
 pub fn plane(spec: &Spec) -> Option<Plane> {
-    if spec.feedback != Feedback::Linear || spec.what == What::Observer {
+    if spec.feedback != Feedback::Linear || !spec.has_law() {
         return None;
     }
     // In samples the order counts the samples of delay, as in the check.

@@ -42,7 +42,8 @@ impl Report {
         let of_loop = self.outcomes.iter().find(|outcome| outcome.name == sampled::NAME);
         if of_loop.is_some_and(Outcome::is_checked) {
             let promises = &self.spec.promises;
-            if promises.noise.is_empty() && promises.sensor_step.is_empty() {
+            let keeps = self.spec.keep().is_some();
+            if !keeps && promises.noise.is_empty() && promises.sensor_step.is_empty() {
                 all.push("noise".to_owned());
             }
             if self.spec.has_open_limit() && self.spec.axes.is_none() {

@@ -6,7 +6,7 @@ use super::Choice;
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::{counted, digits};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{DelayLaw, Lasting, Observer, Spec, Stationary, What};
+use crate::request::{DelayLaw, Lasting, Observer, Spec, Stationary};
 use crate::samples::{self, Ending, Terminal, held_samples};
 use crate::syntax::constant;
 
@@ -16,7 +16,7 @@ const END: &str = "end_samples";
 /// Values that no key of the design gives and no check chooses: other keys determine them.
 pub fn follows(spec: &Spec) -> Vec<Choice> {
     let mut all: Vec<_> = gains(spec).into_iter().collect();
-    if spec.what == What::Observer {
+    if !spec.has_law() {
         return all;
     }
     all.extend(delay_law(spec));

@@ -6,7 +6,7 @@ use super::{Resolved, is_disturbed};
 use crate::algebra::integer;
 use crate::check::examine::{open_in_samples, sampled_loop};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::{Clock, EndLaw, Spec, What};
+use crate::request::{Clock, EndLaw, Spec};
 use crate::samples::{Ending, Terminal, held_samples};
 
 /// Meaning of an eps of 0.
@@ -14,7 +14,7 @@ const TO_THE_END: &str = "the gains run to the last samples";
 
 pub(super) fn resolve(spec: &Spec) -> Resolved {
     let mut resolved = with_eps(spec);
-    if spec.what != What::Observer {
+    if spec.has_law() {
         choose_end(&mut resolved);
         choose_observer_samples(&mut resolved);
     }
@@ -58,7 +58,7 @@ fn choose_observer_samples(resolved: &mut Resolved) {
 
 fn with_eps(spec: &Spec) -> Resolved {
     let mut resolved = Resolved::open(spec);
-    if !spec.leaves_eps() || spec.what == What::Observer {
+    if !spec.leaves_eps() || !spec.has_law() {
         return resolved;
     }
     let judged = open_in_samples(spec).is_none() && !is_of_several(spec);

@@ -49,6 +49,8 @@ pub use cells::Worst;
 pub(crate) use eps::Candidate;
 pub use eps::{Choice, curve};
 pub(crate) use feasible::feasible;
+#[cfg(feature = "lab")]
+pub use feasible::{FeasibleSet, Outline, Unlimited};
 pub use gating::{Cost, Gating};
 pub(crate) use judge::Loop;
 #[cfg(feature = "files")]

@@ -17,7 +17,7 @@ use super::flags::ListFormat;
 use super::output::{self, Outputs};
 use super::picture::Kind;
 use super::progress::{checking, progress};
-use super::report::Failure;
+use super::report::{Failure, note};
 use super::source::Source;
 
 /// Draws that are run where no flag says how many.
@@ -89,6 +89,9 @@ fn campaign(request: &Compare, mut source: Source) -> Result<Campaign, Failure> 
             vec!["0.1"; states.len()].join(",")
         );
         return Err(Failure::because(message, &help));
+    }
+    if parsed.entries.iter().any(|entry| entry.key.starts_with("event[")) {
+        note("the events of the design are of `simulate` and `verify`: they are left out here");
     }
     let read = request::read(&parsed.entries)
         .and_then(|spec| checking(|| verify::read_scenarios(&parsed.entries, &spec)));

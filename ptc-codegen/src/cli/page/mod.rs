@@ -25,7 +25,7 @@ use budget::Bar;
 use design::{Fact, Known};
 pub(crate) use design::{command, reporting, short};
 use formulas::Group;
-pub(crate) use svg::{Svg, undrawn};
+pub(crate) use svg::Svg;
 use worst::Drawn;
 
 /// A table with a head.

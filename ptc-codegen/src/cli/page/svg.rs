@@ -1,8 +1,9 @@
 //! Drawings of a page.
 
-use crate::plot::Figure;
+use crate::plot::{Figure, Picture};
 use askama::filters::HtmlSafe;
 
+use crate::cli::picture::undrawn;
 use crate::cli::report::Failure;
 
 /// A drawing, which is part of the page.
@@ -31,10 +32,4 @@ impl TryFrom<Result<String, String>> for Svg {
     fn try_from(drawn: Result<String, String>) -> Result<Self, Failure> {
         drawn.map(Self).map_err(|wrong| undrawn(&wrong))
     }
-}
-
-/// A figure that cannot be drawn.
-pub(crate) fn undrawn(wrong: &str) -> Failure {
-    let help = "see with -o run.csv that the values are numbers of a size that can be drawn";
-    Failure::because(format!("the picture cannot be drawn: {wrong}"), help)
 }

@@ -87,7 +87,7 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
             note(&format!("the design has no [plant]: the plant is {plant}"));
         }
         let plant = plant.unwrap_or_else(|| Plant::own(&spec));
-        let events = match event::read(&given.entries, &requested) {
+        let events = match event::read_numbers(&given.entries, &spec) {
             Ok(events) => events,
             Err(found) => return given.finish(None, found),
         };

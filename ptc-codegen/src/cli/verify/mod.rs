@@ -18,7 +18,7 @@ use parts::Rows;
 use super::output::{self, Outputs};
 use super::page as html;
 use super::progress::{checking, progress};
-use super::report::{Failure, note};
+use super::report::Failure;
 use super::source::Source;
 use super::write;
 
@@ -106,9 +106,6 @@ fn campaign(request: &Verify, source: &Source) -> Result<Campaign, Failure> {
         }
     }
     let parsed = source.parse();
-    if parsed.entries.iter().any(|entry| entry.key.starts_with("event[")) {
-        note("the events of the design are of `simulate`: a campaign runs without them");
-    }
     let read = request::read(&parsed.entries)
         .and_then(|spec| verify::read_with_plant(&parsed.entries, &spec));
     match read {

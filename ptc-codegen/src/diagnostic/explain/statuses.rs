@@ -2,7 +2,7 @@
 
 use super::Explanation;
 
-pub(super) static STATUSES: [Explanation; 10] = [
+pub(super) static STATUSES: [Explanation; 11] = [
     Explanation {
         code: "PTC_OK",
         means: "The law is active. u is that of the law, within its limits.",
@@ -44,6 +44,13 @@ pub(super) static STATUSES: [Explanation; 10] = [
         design: "",
         example: "a step with `late = extend` of a stage that something held, or a deadline that was too soon from the start",
         fix: "nothing is wrong, unless the time matters: then give more time, or a larger u_max",
+    },
+    Explanation {
+        code: "PTC_INFEASIBLE",
+        means: "The state is outside the set from which a filter keeps every bound, or a limit of u or a bound that goes first takes precedence over one of them. u is the nearest to the bounds that is left: those of x1 go before those of x2 and so on, the limits of u before all.",
+        design: "",
+        example: "a start of `what = filter` that moves to its stop too fast, or a u_max too small to brake before it",
+        fix: "one that passes is a start outside, from which the filter returns; where it lasts, give bounds of the speed or slower `keep_poles`, for which `check` proves the limits of u enough",
     },
     Explanation {
         code: "PTC_E_PARAM",

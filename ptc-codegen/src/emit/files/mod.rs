@@ -78,6 +78,10 @@ fn stands_alone(spec: &Spec, what: &str, found: &mut Diagnostics) {
         let message = format!("{what} holds a controller, not an observer alone");
         against("what", message, "leave `what` out, or emit the observer in a language");
     }
+    if spec.what == What::Filter {
+        let message = format!("{what} holds a controller, not a filter alone");
+        against("what", message, "leave `what` out, or emit the filter in a language");
+    }
     if spec.feedback == Feedback::Extern {
         against("pi0", format!("{what} cannot call a user-defined pi0"), own);
     }

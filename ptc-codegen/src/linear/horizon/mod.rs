@@ -14,6 +14,7 @@ mod values;
 use num_traits::{ToPrimitive, Zero};
 
 pub(crate) use course::Course;
+pub(crate) use values::Peak;
 
 use super::Matrix;
 use crate::algebra::polynomial::Polynomial;

@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive;
 
-use super::{Horizon, Plan, Signal};
+use super::{Horizon, Peak, Plan, Signal};
 use crate::algebra::{BigRational, integer};
 use crate::linear::Pair;
 
@@ -72,8 +72,8 @@ fn run(chain: &Chain, horizon: &Horizon, x: &[f64], left: u32) -> ([f64; 2], f64
     ([most, state], z.iter().fold(0.0, |most, z| most.max(z.abs())))
 }
 
-fn most(values: &[(Signal, f64)], signal: Signal) -> f64 {
-    let own = values.iter().filter(|(of, _)| *of == signal).map(|(_, value)| value.abs());
+fn most(values: &[Peak], signal: Signal) -> f64 {
+    let own = values.iter().filter(|own| own.signal == signal).map(|own| own.value.abs());
     own.fold(0.0, f64::max)
 }
 

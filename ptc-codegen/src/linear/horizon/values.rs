@@ -3,20 +3,34 @@
 use num_traits::ToPrimitive;
 
 use super::{Bound, Horizon, Signal, Stretch};
-use crate::algebra::BigRational;
+use crate::algebra::{BigRational, integer};
+
+/// A value that the limits of a signal have to admit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Peak {
+    /// The signal.
+    pub(crate) signal: Signal,
+    /// The value.
+    pub(crate) value: f64,
+    /// True if the limit on its side bounds it; otherwise the smaller limit bounds its size.
+    pub(crate) is_signed: bool,
+}
 
 impl Horizon {
-    /// The values whose sizes the limits of their signals have to admit, from coordinates with `left` samples to go.
-    pub(crate) fn values(&self, z: &[f64], left: u32) -> Vec<(Signal, f64)> {
+    /// The values that the limits of their signals have to admit, from coordinates with `left` samples to go.
+    pub(crate) fn values(&self, z: &[f64], left: u32) -> Vec<Peak> {
         match self.stretches.iter().find(|stretch| left > stretch.above) {
             Some(stretch) => stretch.values(z, left),
-            None => self.held.iter().map(|bound| bound.value(z)).collect(),
+            None => {
+                let of_size = |bound: &Bound| Peak { is_signed: false, ..bound.value(z) };
+                self.held.iter().map(of_size).collect()
+            }
         }
     }
 }
 
 impl Stretch {
-    fn values(&self, z: &[f64], left: u32) -> Vec<(Signal, f64)> {
+    fn values(&self, z: &[f64], left: u32) -> Vec<Peak> {
         let weights = self.weights_of(z, left);
         let length = f64::from(left - self.above - 1);
         let mut all = Vec::new();
@@ -27,7 +41,12 @@ impl Stretch {
                 powers.push(scale * sum(factors, &weights));
                 scale *= length;
             }
-            all.extend(curve.bernstein.iter().map(|row| (curve.signal, sum(row, &powers))));
+            let peak = |row: &Vec<BigRational>| Peak {
+                signal: curve.signal,
+                value: sum(row, &powers),
+                is_signed: true,
+            };
+            all.extend(curve.bernstein.iter().map(peak));
         }
         all.extend(self.behind.iter().map(|bound| bound.value(&weights)));
         all
@@ -44,8 +63,12 @@ impl Stretch {
 }
 
 impl Bound {
-    fn value(&self, by: &[f64]) -> (Signal, f64) {
-        (self.signal, sum(&self.row, by) / number(&self.share))
+    fn value(&self, by: &[f64]) -> Peak {
+        Peak {
+            signal: self.signal,
+            value: sum(&self.row, by) / number(&self.share),
+            is_signed: self.share == integer(1),
+        }
     }
 }
 

@@ -6,11 +6,14 @@ use super::{list, rows_word, word, written};
 use crate::algebra::BigRational;
 use crate::linear::{Linear, Schedule};
 use crate::parameter::Parameter;
-use crate::request::{Flight, Gate, Lasting, Late, LeastEnergy, Observer, Sampled, Spec};
+use crate::request::{Flight, Gate, Keep, Lasting, Late, LeastEnergy, Observer, Sampled, Spec};
 use crate::syntax::constant;
 
 impl Spec {
     pub(super) fn sampled_words(&self, sampled: &Sampled) -> Vec<String> {
+        if let Some(keep) = &sampled.keep {
+            return keep_words(keep);
+        }
         let mut words = vec!["--clock samples".to_owned()];
         if let Some(plant) = &sampled.linear {
             words.extend(self.linear_words(plant, sampled));
@@ -118,6 +121,20 @@ pub(super) fn schedule_words(schedule: &Schedule) -> Vec<String> {
     let poles = LeastEnergy { weight: schedule.weights.law };
     let bytes = schedule.bytes.map(|bytes| format!("--gain-bytes={bytes}"));
     std::iter::once(word("--poles", &poles)).chain(bytes).collect()
+}
+
+/// The flags of a filter, which implies the clock and the mapping.
+fn keep_words(keep: &Keep) -> Vec<String> {
+    let bounds = [
+        ("--keep-below", &keep.below),
+        ("--keep-above", &keep.above),
+        ("--keep-tolerance", &keep.tolerance),
+    ];
+    let bounds = bounds.into_iter().filter_map(|(flag, all)| Some(word(flag, &list(all.iter())?)));
+    let poles: Vec<_> = keep.poles.iter().map(constant::text).collect();
+    let poles = word("--keep-poles", &poles.join(","));
+    let law = (keep.law.weight > 0).then(|| format!("--poles=\"{}\"", keep.law));
+    bounds.chain([poles]).chain(law).collect()
 }
 
 /// The flags of the gate of an observer.

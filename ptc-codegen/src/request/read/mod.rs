@@ -3,6 +3,7 @@
 mod alone;
 mod axes;
 mod entries;
+mod filter;
 mod law;
 mod least_energy;
 mod linear;
@@ -50,9 +51,13 @@ pub struct Entry {
 /// Every mistake in the entries, in their order.
 pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
     let mut reader = Reader::new(entries);
-    let plant = reader.as_linear_plant(entries);
-    if let Some(entries) = &plant {
+    let filter = reader.as_filter(entries);
+    let plant = if filter.is_none() { reader.as_linear_plant(entries) } else { None };
+    if let Some(entries) = filter.as_ref().or(plant.as_ref()) {
         reader = Reader::new(entries);
+    }
+    if filter.is_some() {
+        reader.refuse_law(entries);
     }
     let spec = reader.spec();
     reader.found.finish(spec)

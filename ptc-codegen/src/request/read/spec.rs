@@ -44,6 +44,7 @@ impl<'a> Reader<'a> {
                 ("controller", What::Controller),
                 ("associated", What::Associated),
                 ("observer", What::Observer),
+                ("filter", What::Filter),
             ],
         );
         let precision =
@@ -146,6 +147,9 @@ impl<'a> Reader<'a> {
             true if whole => {}
             true => self.sampled(&mut spec, delay_law),
             false => self.not_sampled(&spec),
+        }
+        if spec.what != What::Filter {
+            self.refuse_bounds();
         }
         // A plant that is refused leaves a spec with another clock than requested.
         if samples == spec.sampled().is_some() {

@@ -131,6 +131,9 @@ impl Builder<'_> {
             functions.extend(self.estimates());
             return functions;
         }
+        if let Some(keep) = &self.sampled.keep {
+            return vec![self.arm(), self.filter(keep, &start)];
+        }
         let samples = self.samples();
         let asked = match samples {
             Expr::Count(_) => samples,

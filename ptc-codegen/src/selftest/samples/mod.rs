@@ -4,6 +4,7 @@
 //! bit that a target must. What it decides besides is which calls are worth asking: those that take a
 //! branch of the program which no other takes.
 
+mod commands;
 mod inputs;
 mod parameters;
 mod search;
@@ -13,11 +14,15 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Function, Node};
 use crate::request::Spec;
 
+pub use commands::{Command, commands, count, is_measured, numbers};
+
 /// A call of `step`, or of `update`, and of the functions that give the estimates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Call {
     /// The tick at which the controller is armed before it, if it is.
     pub start: Option<u32>,
+    /// The function of a deadline in flight that is called before it.
+    pub before: Option<Command>,
     /// The tick.
     pub k: u32,
     /// Measurement; behind it the reference and its derivatives, where each call is given them.
@@ -61,8 +66,6 @@ pub struct SelfTest {
     pub refused: Vec<Vec<f64>>,
     /// Conditions that were tested with one outcome only.
     pub untaken: Vec<Untaken>,
-    /// Functions that are not called: those of a deadline in flight.
-    pub uncalled: Vec<&'static str>,
 }
 
 impl SelfTest {
@@ -94,8 +97,9 @@ impl SelfTest {
         search.round();
         search.parameters();
         search.inputs();
+        search.commands();
         let search::Search { sessions, refused, taken, sets, tried, .. } = search;
-        let left = |branch: &Branch| CALLED.contains(&branch.function) && !taken.has(branch);
+        let left = |branch: &Branch| !taken.has(branch);
         let untaken = code.branches().into_iter().filter(left).map(|branch| Untaken {
             reason: match (branch.function, branch.holds) {
                 ("init", false) => {
@@ -107,14 +111,9 @@ impl SelfTest {
             },
             condition: branch.condition,
         });
-        let names = code.functions.iter().map(|function| function.name);
-        let uncalled = names.filter(|name| !CALLED.contains(name)).collect();
-        Ok(Self { sessions, refused, untaken: untaken.collect(), uncalled })
+        Ok(Self { sessions, refused, untaken: untaken.collect() })
     }
 }
-
-/// The functions that a self-test calls.
-const CALLED: [&str; 6] = ["init", "arm", "step", "update", "estimate", "disturbance"];
 
 /// A function in the code whose result is not that of IEEE 754.
 fn library_function(code: &Code) -> Option<&'static str> {

@@ -1,6 +1,7 @@
 //! The search for sets of parameters and for calls that take each branch.
 
 use super::super::Draw;
+use super::commands::Request;
 use super::inputs::{Ends, anything, arriving};
 use super::parameters::Sets;
 use super::{Call, Session};
@@ -23,13 +24,13 @@ const LOST: u32 = 64;
 
 /// State of the search.
 pub(super) struct Search<'a> {
-    spec: &'a Spec,
-    code: &'a Code,
-    choice: Sets<'a>,
+    pub(super) spec: &'a Spec,
+    pub(super) code: &'a Code,
+    pub(super) choice: Sets<'a>,
     /// Numbers that are measured, and those of the reference that a call is given.
     measured: usize,
     references: usize,
-    draw: Draw,
+    pub(super) draw: Draw,
     pub(super) sessions: Vec<Session>,
     pub(super) refused: Vec<Vec<f64>>,
     pub(super) taken: Taken,
@@ -40,21 +41,23 @@ pub(super) struct Search<'a> {
 
 /// A controller between two calls, and the calls so far.
 #[derive(Clone)]
-struct Life {
+pub(super) struct Life {
     instance: Instance,
     /// The branches that `init` took.
     begun: Taken,
     session: Session,
     start: u32,
-    ends: Ends,
+    pub(super) ends: Ends,
 }
 
 /// Arguments of a call.
-struct Input {
-    start: Option<u32>,
-    elapsed: u32,
-    y: Vec<f64>,
-    applied: f64,
+#[derive(Default)]
+pub(super) struct Input {
+    pub(super) start: Option<u32>,
+    pub(super) before: Option<Request>,
+    pub(super) elapsed: u32,
+    pub(super) y: Vec<f64>,
+    pub(super) applied: f64,
 }
 
 impl<'a> Search<'a> {
@@ -83,7 +86,7 @@ impl<'a> Search<'a> {
                 let start = start.filter(|_| index == 0);
                 let y = arriving(self.spec, self.count(), elapsed, life.ends);
                 let applied = settle(-0.25 * y[0], self.spec.precision);
-                self.ask(&mut life, Input { start, elapsed, y, applied }, true);
+                self.ask(&mut life, Input { start, elapsed, y, applied, ..Input::default() }, true);
                 if index == 2 && self.spec.guard == Guard::Full {
                     self.without_numbers(&mut life, elapsed);
                     self.without_readings(&mut life, elapsed);
@@ -98,7 +101,7 @@ impl<'a> Search<'a> {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for j in 0..=self.count() {
                 let mut input =
-                    Input { start: None, elapsed, y: vec![0.5; self.count()], applied: 0.5 };
+                    Input { elapsed, y: vec![0.5; self.count()], applied: 0.5, ..Input::default() };
                 match input.y.get_mut(j) {
                     Some(y) => *y = value,
                     None if self.spec.what == What::Observer => input.applied = value,
@@ -124,7 +127,7 @@ impl<'a> Search<'a> {
         let all = std::iter::once((None, 0.5)).chain(lost).chain([(Some(life.start), 0.25)]);
         let all: Vec<_> = all.map(|(start, y)| (start, given(y))).collect();
         for (start, y) in all {
-            self.ask(life, Input { start, elapsed, y, applied: 0.25 }, true);
+            self.ask(life, Input { start, elapsed, y, applied: 0.25, ..Input::default() }, true);
         }
     }
 
@@ -151,7 +154,7 @@ impl<'a> Search<'a> {
             Ok(_) if adds => {
                 let Some(mut life) = self.begin(&set) else { return };
                 let y = vec![0.0; self.count()];
-                self.ask(&mut life, Input { start: None, elapsed: 0, y, applied: 0.0 }, true);
+                self.ask(&mut life, Input { y, ..Input::default() }, true);
                 self.end(life);
             }
             _ => {}
@@ -167,7 +170,7 @@ impl<'a> Search<'a> {
             let Some(mut life) = self.begin(&set) else { continue };
             for elapsed in life.ends.near() {
                 let y = anything(self.spec, self.count(), 1.0, &mut self.draw);
-                self.ask(&mut life, Input { start: None, elapsed, y, applied: 0.25 }, false);
+                self.ask(&mut life, Input { elapsed, y, applied: 0.25, ..Input::default() }, false);
             }
             let ticks = [life.ends.ladder(), life.ends.near()].concat();
             for _ in 0..CALLS {
@@ -219,11 +222,12 @@ impl<'a> Search<'a> {
             elapsed: self.draw.of(ticks),
             y: anything(self.spec, self.count(), size, &mut self.draw),
             applied: settle(self.draw.of(&[0.0, 0.5, size]), self.spec.precision),
+            ..Input::default()
         }
     }
 
     /// Numbers that a call is given in arrays.
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         self.measured + self.references
     }
 
@@ -232,7 +236,7 @@ impl<'a> Search<'a> {
     }
 
     /// A controller with these parameters; `None` if `init` refuses them.
-    fn begin(&self, set: &[f64]) -> Option<Life> {
+    pub(super) fn begin(&self, set: &[f64]) -> Option<Life> {
         let (built, taken) = self.watched(set);
         let instance = built.ok()?;
         let session = Session { parameters: set.to_vec(), calls: Vec::new() };
@@ -240,7 +244,7 @@ impl<'a> Search<'a> {
     }
 
     /// A session without calls tests nothing.
-    fn end(&mut self, life: Life) {
+    pub(super) fn end(&mut self, life: Life) {
         if !life.session.calls.is_empty() {
             self.taken.extend(&life.begun);
             self.sessions.push(life.session);
@@ -262,7 +266,7 @@ impl<'a> Search<'a> {
 
     /// Calls the controller, and keeps the call where it is asked for or takes another branch, if
     /// what it gives can be compared. Says whether it was kept.
-    fn ask(&mut self, life: &mut Life, input: Input, always: bool) -> bool {
+    pub(super) fn ask(&mut self, life: &mut Life, input: Input, always: bool) -> bool {
         self.tried += 1;
         let mut trial = life.instance.clone();
         let start = input.start.unwrap_or(life.start);
@@ -283,8 +287,9 @@ impl<'a> Search<'a> {
 
     /// A call, with what it gives; `None` if an estimate is not finite.
     fn called(&self, trial: &mut Instance, start: u32, input: Input) -> Option<Call> {
-        let Input { start: armed, elapsed, y, applied } = input;
+        let Input { start: armed, before, elapsed, y, applied } = input;
         let k = start.wrapping_add(elapsed);
+        let before = before.map(|request| request.asked(trial, k, &y[..self.measured]));
         let alone = self.spec.what == What::Observer;
         let states = self.spec.sampled().is_some_and(|sampled| sampled.measures_states());
         let (tick, last) = ([f64::from(k)], [applied]);
@@ -303,6 +308,7 @@ impl<'a> Search<'a> {
         }
         let call = Call {
             start: armed,
+            before,
             k,
             y,
             applied: alone.then_some(applied),

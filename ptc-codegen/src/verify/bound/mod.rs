@@ -139,6 +139,9 @@ pub fn proved(campaign: &Campaign) -> Vec<Proof> {
 fn of_states(campaign: &Campaign) -> Vec<Proof> {
     let all = |why: String| vec![Proof::NotProved { why }; campaign.objectives.len()];
     let is_running = campaign.around.is_some();
+    if let Some(why) = running::changes(campaign) {
+        return all(why.to_owned());
+    }
     if campaign.spec.joins_axes() {
         return all("proofs are of one chain of integrators, not of several axes".to_owned());
     }

@@ -34,6 +34,15 @@ impl From<&str> for Lack {
     }
 }
 
+/// Why the worst case is not that of a run, if its deadline or its events change it.
+pub(super) fn changes(campaign: &Campaign) -> Option<&'static str> {
+    if !campaign.events.is_empty() {
+        return Some("events change the run, and the proof is of one without them");
+    }
+    let why = "the controller may change its deadline, and the proof is of the one at `arm`";
+    campaign.spec.changes_deadline().then_some(why)
+}
+
 /// For each objective whether the worst case proves it, or refutes it, or why not.
 pub(super) fn proved(campaign: &Campaign) -> Vec<Proof> {
     let worst = worst(campaign);
@@ -58,7 +67,9 @@ pub(super) fn proved(campaign: &Campaign) -> Vec<Proof> {
 /// Names the cause of most of the largest worst |x_i| at the deadline in the loop that runs, in one line; `None` where
 /// its worst case is not known.
 pub fn limits(campaign: &Campaign) -> Option<String> {
-    campaign.around.as_ref()?;
+    if campaign.around.is_none() || changes(campaign).is_some() {
+        return None;
+    }
     let worst = worst(campaign).ok()?;
     let states = worst.states.iter().enumerate();
     let (state, bound) = states.max_by(|a, b| a.1.total().total_cmp(&b.1.total()))?;

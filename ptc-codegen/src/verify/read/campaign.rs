@@ -7,14 +7,14 @@ use super::value::to_f64;
 use super::{Disturbances, Drawn, Given, Reader};
 use crate::keys::verify::KEYS;
 use crate::parameter::Parameter;
-use crate::simulate::Loop;
+use crate::simulate::{Events, Loop};
 use crate::syntax::number as exact;
 
 impl Reader<'_> {
     pub(super) fn campaign(
         &mut self,
         given: &Given<'_>,
-        (drawn, disturbances): (Drawn, Disturbances),
+        (drawn, disturbances, events): (Drawn, Disturbances, Events),
         objectives: Vec<Objective>,
     ) -> Option<Campaign> {
         let states = self.spec.state_names();
@@ -75,7 +75,7 @@ impl Reader<'_> {
         let search = self.integer("search", given, (0, 1_000_000_000), 2000);
         let around = Loop::of(self.spec);
         let until = match &around {
-            Some(around) => self.end(given, tau, around.period),
+            Some(around) => self.end(given, tau, (around, &events)),
             None => self.until(given, tau),
         };
         let tolerance = self.number("tolerance", given, &|t| t > 0.0).unwrap_or(1e-6);
@@ -115,6 +115,7 @@ impl Reader<'_> {
             x0,
             intervals,
             disturbances,
+            events,
             integrals: self.integrands(),
             objectives,
         })

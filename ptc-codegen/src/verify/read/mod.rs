@@ -4,6 +4,7 @@
 mod campaign;
 mod disturbance;
 mod drawn;
+mod events;
 mod integral;
 mod objective;
 mod running;
@@ -18,7 +19,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss, shorten};
 use crate::parameter::Parameter;
 use crate::plant::{self, Plant};
 use crate::request::{Entry, Spec, known};
-use crate::simulate::Loop;
+use crate::simulate::{Events, Loop};
 use crate::syntax::Node;
 use integral::Integral;
 use value::{number, to_f64};
@@ -38,7 +39,7 @@ pub fn read_with_plant(entries: &[Entry], spec: &Spec) -> Result<Campaign, Vec<D
     with_plant(entries, spec, Objectives::Required)
 }
 
-/// The same for its scenarios alone: a design without objectives is no mistake.
+/// The same for its scenarios alone, without the events: a design without objectives is no mistake.
 ///
 /// # Errors
 /// Every mistake in the tables.
@@ -138,9 +139,15 @@ fn tables(
         reader.found.push("missing-key", "objective", None, message, help);
     }
     let disturbances = reader.disturbances(&of_disturbance);
+    let events = match wanted {
+        Objectives::Required => reader.events(entries),
+        Objectives::Optional => Events::default(),
+    };
+    reader.names_apart(entries, &events);
+    reader.objectives_suit(entries, &objectives, &events);
     reader.valued(entries, &objectives, (&of_verify, &drawn));
     let whole: Vec<_> = objectives.into_iter().map(|(_, objective)| objective).collect();
-    let campaign = reader.campaign(&of_verify, (drawn, disturbances), whole);
+    let campaign = reader.campaign(&of_verify, (drawn, disturbances, events), whole);
     reader.found.finish(campaign)
 }
 

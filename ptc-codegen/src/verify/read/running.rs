@@ -2,6 +2,7 @@
 
 use super::{Given, Interval, Reader, number};
 use crate::parameter::Parameter;
+use crate::simulate::{Events, Loop};
 
 /// Most samples of a run.
 const SAMPLES: f64 = 1e6;
@@ -15,7 +16,7 @@ impl Reader<'_> {
         &mut self,
         given: &Given<'_>,
         tau: Option<Interval>,
-        period: f64,
+        (around, events): (&Loop, &Events),
     ) -> Option<f64> {
         let until = match given.get("until") {
             None => 0.0,
@@ -27,7 +28,10 @@ impl Reader<'_> {
                 until?
             }
         };
-        let count = tau?.1 * (1.0 - until) / period;
+        let tau = tau?.1;
+        let planned = Loop { events: events.latest(), ..around.clone() }.planned(tau);
+        let length = if until == 0.0 { planned } else { tau * (1.0 - until) };
+        let count = length / around.period;
         if count > SAMPLES {
             let place = given.get("until").map(|(_, node)| node.place);
             let message = format!("a run is of {count:.0} samples, more than {SAMPLES}");

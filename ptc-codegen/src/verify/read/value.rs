@@ -4,10 +4,10 @@ use num_traits::ToPrimitive;
 
 use super::{Given, Reader};
 use crate::diagnostic::Place;
-use crate::expression::constant::real;
+use crate::expression::constant::{interval, real};
 use crate::keys::verify::KEYS;
 use crate::parameter::Fixed;
-use crate::syntax::{Node, Value};
+use crate::syntax::Node;
 use crate::verify::Interval;
 
 impl Reader<'_> {
@@ -19,14 +19,7 @@ impl Reader<'_> {
         given: &Given<'_>,
     ) -> Option<Interval> {
         let (_, node) = given.get(name)?;
-        let ends = match &node.value {
-            Value::List(items) => match items.as_slice() {
-                [low, high] => number(low).zip(number(high)),
-                _ => None,
-            },
-            _ => number(node).map(|value| (value, value)),
-        };
-        match ends {
+        match interval(node) {
             Some((low, high)) if low <= high => return Some((low, high)),
             Some((low, high)) => self.wrong(
                 &format!("{table}.{name}"),

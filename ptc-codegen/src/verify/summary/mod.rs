@@ -177,6 +177,7 @@ fn extent(campaign: &Campaign) -> String {
         return format!("{emitted}T/tau from 1 to {:?}{precision}", campaign.until);
     };
     let to = match campaign.until {
+        _ if campaign.follows_deadline() => "the last deadline".to_owned(),
         0.0 => "the deadline".to_owned(),
         until => format!("T/tau = {until:?}"),
     };

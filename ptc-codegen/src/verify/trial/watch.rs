@@ -6,7 +6,7 @@ use super::super::samples::of_sample;
 use super::Instant;
 use crate::parameter::Parameter;
 use crate::reference::Status;
-use crate::simulate::{Accuracy, Changes, Failure, Run, SAME, Sample, Sampled, Side};
+use crate::simulate::{Accuracy, Changes, Failure, Run, Sample, Sampled, Side};
 
 /// One side with its objectives, instant by instant: the first call that the emitted program refuses, if it does.
 pub(super) fn along<S: Side>(
@@ -44,11 +44,10 @@ pub(super) fn running(
     let around = around.clone().unwrap_or_default();
     let mut watch = Watch::new(observer, setting, objectives)?;
     let tau = values.get(Parameter::Tau);
-    let end = around.until.unwrap_or(tau) * (1.0 - SAME);
-    let mut changes = Changes::of(&setting.pieces, tau);
+    let mut changes = Changes::of(&setting.pieces, around.planned(tau));
     sampled.run_along(values, &mut |since| changes.next(since), x0, &around, &mut |sample| {
         let time_to_go = of_sample(sample.time_to_go, tau);
-        let at_end = time_to_go <= 0.0 || tau - time_to_go >= end;
+        let at_end = time_to_go <= 0.0 || sample.last;
         visit(watch.instant(Sample { time_to_go, ..sample }, at_end));
     })
 }

@@ -2,6 +2,8 @@
 //! chain. What runs is the program that is emitted, in its own arithmetic.
 
 mod calls;
+mod feasible;
+mod filter;
 mod flight;
 mod flight_axes;
 mod flight_axes_in_c;
@@ -36,13 +38,21 @@ fn read(keys: &[(&str, &str)]) -> Result<Spec, String> {
 
 /// The program of a design, with what every test leaves at the same values.
 fn code(keys: &[(&str, &str)]) -> Code {
+    emitted(&spec(keys))
+}
+
+/// The design itself.
+fn spec(keys: &[(&str, &str)]) -> Spec {
     let mut all = vec![("mu", "exp(a=1)"), ("clock", "samples"), ("u_max", "inf")];
     let stands = |own: &str, key: &str| own == key || (own, key) == ("limits", "u_max");
     all.retain(|(key, _)| !keys.iter().any(|(own, _)| stands(own, key)));
     all.extend(keys);
-    let spec = read(&all).expect("a legal design");
+    read(&all).expect("a legal design")
+}
+
+fn emitted(spec: &Spec) -> Code {
     let sampled = spec.sampled().expect("a clock in samples");
-    let code = samples::controller(&spec, sampled, Vec::new());
+    let code = samples::controller(spec, sampled, Vec::new());
     code.check().expect("a program in order");
     code
 }

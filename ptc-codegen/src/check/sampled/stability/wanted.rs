@@ -88,6 +88,9 @@ pub(crate) fn tolerance(spec: &Spec, expanded: Option<&Expanded>) -> Result<Tole
 /// # Errors
 /// Fails if it is left to run time.
 pub(super) fn set_eps(spec: &Spec) -> Result<BigRational, String> {
+    if spec.keep().is_some() {
+        return Err("a filter closes no loop by itself".to_owned());
+    }
     let eps = spec.fixed.get(&Parameter::Eps).and_then(Fixed::number).cloned();
     eps.ok_or_else(|| "`eps` is left to run time".to_owned())
 }

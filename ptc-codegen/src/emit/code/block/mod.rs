@@ -12,7 +12,7 @@ use crate::code::{Ending, Expr, Finish, For, Shape, Statement, Status, Subroutin
 use crate::internal::fault;
 use finish::of_finish;
 
-/// The longest sum that subroutines of compiled languages write out: all sums at n = 9. docs/BENCHMARKS.md has the size of
+/// The longest sum that subroutines of compiled languages write out: all sums at n = 9. docs/benchmarks/steps.md has the size of
 /// the code.
 pub(in crate::emit) const WRITTEN: usize = 8;
 

@@ -240,6 +240,7 @@ pub(in crate::emit) fn word(status: Status) -> &'static str {
         Status::After => "PTC_AFTER",
         Status::Gated => "PTC_GATED",
         Status::Late => "PTC_LATE",
+        Status::Infeasible => "PTC_INFEASIBLE",
         Status::Param => "PTC_E_PARAM",
         Status::Input => "PTC_E_INPUT",
         Status::Range => "PTC_E_RANGE",

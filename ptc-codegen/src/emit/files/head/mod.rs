@@ -3,6 +3,7 @@
 mod axes;
 pub mod coupled;
 mod end;
+mod filter;
 mod flight;
 mod followed;
 mod formulas;

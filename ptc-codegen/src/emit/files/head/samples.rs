@@ -1,7 +1,9 @@
 //! The head of the files of a controller in samples.
 
 use super::time::version;
-use super::{Language, axes, coupled, end, flight, followed, observed, plant, precision, time};
+use super::{
+    Language, axes, coupled, end, filter, flight, followed, observed, plant, precision, time,
+};
 use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
@@ -42,7 +44,11 @@ pub(in crate::emit) fn lines(
     let spec = &report.spec;
     let (name, n) = (spec.name(), spec.n);
     let alone = sampled.observer.as_ref().filter(|_| spec.what == What::Observer);
-    let kind = if alone.is_some() { "observer" } else { "controller" };
+    let kind = match spec.what {
+        What::Observer => "observer",
+        What::Filter => "filter",
+        What::Controller | What::Associated => "controller",
+    };
     let order = match &spec.coupled {
         Some(coupled) => coupled.order_text(),
         None => format!("order n = {n}"),
@@ -110,6 +116,9 @@ fn plant_line(spec: &Spec, sampled: &Sampled) -> String {
 
 /// Describes the goal of the plant, the law and, with a reference, the tracking error.
 fn purpose(spec: &Spec, sampled: &Sampled) -> Vec<String> {
+    if let Some(keep) = &sampled.keep {
+        return filter::purpose(spec, keep);
+    }
     let plant = match (spec.sampled_exactly(), &spec.coupled) {
         (Some(exact), _) => sampled_exactly(spec, exact),
         (None, Some(coupled)) => of_outputs(spec, coupled),
@@ -203,6 +212,13 @@ fn sampled_exactly(spec: &Spec, exact: &Exact) -> Vec<String> {
 
 fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> {
     let mut lines = vec![String::new()];
+    if sampled.keep.is_some() {
+        lines.extend(filter::behaviour());
+        lines.push(time::limits_of_u(spec, "This goes before all bounds."));
+        let given = ["x and u_nominal are finite", "states and u_nominal"];
+        lines.push(guard(spec, language, given));
+        return lines;
+    }
     lines.push("k counts samples and may wrap; arm again within 2^32 - N samples.".to_owned());
     lines.push(
         match spec.after {

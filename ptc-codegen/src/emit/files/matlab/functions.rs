@@ -205,6 +205,9 @@ impl Matlab<'_> {
         }
         if function.failures.contains(&Status::Range) {
             self.out.line(if self.gives == Gives::Progress { PROGRESS } else { STATUSES });
+            if self.code.is_filter() {
+                self.out.line(INFEASIBLE);
+            }
         }
         if self.gives == Gives::Count && self.has_status() {
             self.out.line("%     -4  there is none");
@@ -263,6 +266,10 @@ const PROGRESS: &str = "\
 %      4  gated: a reading was not believed, the estimates are predicted; wins over 1
 %     -2  an argument is not finite, or a tick is not whole
 %     -3  an estimate is not finite";
+
+/// The further status of a filter.
+const INFEASIBLE: &str =
+    "%      6  infeasible: not all bounds can be kept from here, u is the nearest to them";
 
 const STATUSES: &str = "\
 %

@@ -1,5 +1,6 @@
 //! The self-test of a controller in C: tables of calls, and the function that runs them.
 
+mod commands;
 mod numbers;
 mod samples;
 mod time;

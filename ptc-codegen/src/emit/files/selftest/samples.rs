@@ -2,6 +2,7 @@
 
 use askama::Template;
 
+use super::commands::Commands;
 use super::numbers::Numbers;
 use super::{About, both, suffix};
 use crate::code::Code;
@@ -21,22 +22,18 @@ const EXPECTED: [&str; 2] = [
 pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<File> {
     let name = spec.name();
     let numbers = Numbers::new(spec, code);
-    let about =
-        About {
-            sessions: test.sessions.len(),
-            calls: test.sessions.iter().map(|session| session.calls.len()).sum(),
-            refused: test.refused.len(),
-            subject: "values were",
-            expected: &EXPECTED.map(str::to_owned),
-            unreachable: test
-                .untaken
-                .iter()
-                .map(|one| (c::written(code, &one.condition), one.reason.clone()))
-                .chain(test.uncalled.iter().map(|name| {
-                    ((*name).to_owned(), "a function that is not called here".to_owned())
-                }))
-                .collect(),
-        };
+    let about = About {
+        sessions: test.sessions.len(),
+        calls: test.sessions.iter().map(|session| session.calls.len()).sum(),
+        refused: test.refused.len(),
+        subject: "values were",
+        expected: &EXPECTED.map(str::to_owned),
+        unreachable: test
+            .untaken
+            .iter()
+            .map(|one| (c::written(code, &one.condition), one.reason.clone()))
+            .collect(),
+    };
     let mut first = 0;
     let session = |session: &Session| {
         let (from, count) = (first, session.calls.len());
@@ -52,6 +49,7 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
     };
     let states = estimate("estimate");
     let measured = spec.sampled().map_or(0, |sampled| sampled.measured);
+    let commands = Commands::of(code);
     let source = Source {
         name: &name,
         noun: code.noun(),
@@ -68,10 +66,15 @@ pub(in crate::emit) fn files(spec: &Spec, code: &Code, test: &SelfTest) -> Vec<F
         disturbance: estimate("disturbance").is_some(),
         sessions: &sessions,
         calls: &calls
-            .map(|call| numbers.sample(call, measured, states.unwrap_or(0), spec))
+            .map(|call| {
+                let own = numbers.sample(call, measured, states.unwrap_or(0), spec);
+                let before = call.before.as_ref().map(|before| numbers.command(before, &commands));
+                before.into_iter().chain([own]).collect::<Vec<_>>().join(", ")
+            })
             .collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
         has_parameters: !code.parameters.is_empty(),
+        commands: &commands,
         frame: &Outline::new(spec, code),
     };
     both(spec, &about, source.render())
@@ -142,5 +145,7 @@ struct Source<'a> {
     calls: &'a [String],
     refused: &'a [String],
     has_parameters: bool,
+    /// The functions of a deadline in flight.
+    commands: &'a Commands,
     frame: &'a Outline,
 }

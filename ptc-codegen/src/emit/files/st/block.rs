@@ -42,7 +42,7 @@ impl StructuredText<'_> {
         }
         let fields = code.fields.iter().map(|field| (self.local(&field.name), field));
         structures.push(self.structure("fields", fields));
-        let about = helpers::about(code, self.real);
+        let about = helpers::about(code, self.real, self.about_commands());
         let lines = code.head.iter().map(String::as_str).chain(["", about.trim_end()]);
         // A comment does not end in the middle.
         let about = lines.collect::<Vec<_>>().join("\n").replace("(*", "( *").replace("*)", "* )");
@@ -78,8 +78,9 @@ impl StructuredText<'_> {
         self.start(&arm);
         self.out.turn("ELSIF NOT ready THEN");
         self.settle(Status::Input.number());
-        self.out.turn("ELSE");
         self.owner = "self";
+        self.run_commands();
+        self.out.turn("ELSE");
         self.block(&step.body);
         self.give_outputs();
         if self.several().is_none() {
@@ -172,14 +173,16 @@ impl StructuredText<'_> {
         inputs.extend(self.call().arguments.iter().map(|argument| {
             Member::new(self.local(&argument.name), self.kind(argument.shape), &argument.about)
         }));
+        inputs.extend(self.inputs_of_commands());
         inputs
     }
 
     /// The local values, and the variables of the loops.
     fn temporary(&self) -> Vec<Member> {
-        let (code, step) = (self.code, self.call());
+        let (code, step, commands) = (self.code, self.call(), self.commands());
         let mut locals = BTreeMap::new();
-        for body in [&code.init, &self.function("arm").body, &step.body] {
+        let own = [&code.init, &self.function("arm").body, &step.body];
+        for body in own.into_iter().chain(commands.iter().map(|command| &command.body)) {
             declared(body, &mut locals);
         }
         if code.start.is_some() {
@@ -189,7 +192,8 @@ impl StructuredText<'_> {
             |(name, shape): (String, _)| Member::new(self.local(&name), self.kind(shape), "");
         let mut members: Vec<_> = locals.into_iter().map(local).collect();
         let mut own = BTreeMap::new();
-        for subroutine in step.subroutines() {
+        let called = std::iter::once(step).chain(&commands).flat_map(Function::subroutines);
+        for subroutine in called {
             let [_, other] = subroutine.given();
             own.insert(other.name.to_owned(), Shape::Reals(other.length));
             declared(&subroutine.body(0), &mut own);

@@ -100,6 +100,10 @@ pub(super) fn of_subroutine(name: &str) -> String {
     format!("row_{name}")
 }
 
+/// The further status of a filter.
+const INFEASIBLE: &str =
+    "   6  infeasible: not all bounds can be kept from here, u is the nearest to them\n";
+
 /// The statuses of an observer.
 const UPDATE: &str = "\
 status; on a negative one nothing has changed:
@@ -110,13 +114,19 @@ status; on a negative one nothing has changed:
   -3  an estimate is not finite
 Numbers are those of IEEE 754.";
 
+/// The statuses of a deadline in flight.
+const FLIGHT: &str = "\
+Of a deadline in flight:
+   5  late: the deadline was put off, as a limit would have been exceeded; u is valid
+  -4  a deadline too soon for the limits, or none that keeps them";
+
 /// The statuses of several inputs.
 const SEVERAL: &str = "\
 u[i] is input i and axes[i] its status, with the same numbers. status is negative if one of axes
 is, and then every u is 0; otherwise it is 2 if an input was clipped.";
 
 /// Describes the usage of the function block.
-pub(super) fn about(code: &Code, real: &str) -> String {
+pub(super) fn about(code: &Code, real: &str, commands: Option<String>) -> String {
     let (start, again, call) = match code.start {
         None => ("at tick 0", "tick k", "once for each tick k"),
         Some(_) => ("at params.t0 (or the fixed t0)", "start_time", "at each time t"),
@@ -127,9 +137,12 @@ Call it with init once, which takes params and starts {start};
 with arm to start again at {again}; then with neither, {call}.
 One call does one of these."
     );
+    let commands = commands.map_or(String::new(), |text| format!("\n{text}"));
+    let calls = format!("{calls}{commands}");
     if code.function("update").is_some() {
         return format!("{calls}\n\n{UPDATE}");
     }
+    let infeasible = if code.is_filter() { INFEASIBLE } else { "" };
     let mut text = format!(
         "\
 {calls}
@@ -143,8 +156,12 @@ status; on a negative one u is 0 and nothing has changed; u is 0 after init and 
   -1  a parameter outside its domain, or coefficients that overflow; arm without init
   -2  an argument is not finite or out of its domain, or no init before
   -3  u not finite
-Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number."
+{infeasible}Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number."
     );
+    if code.function("arm_for").is_some() {
+        text.push_str("\n\n");
+        text.push_str(FLIGHT);
+    }
     if code.axes().is_some() {
         text.push_str("\n\n");
         text.push_str(SEVERAL);

@@ -2,6 +2,7 @@
 //! them then depends on the controller.
 
 mod block;
+mod commands;
 mod helpers;
 mod library;
 mod outputs;
@@ -29,6 +30,9 @@ pub(super) struct StructuredText<'a> {
     owner: &'static str,
     /// In the statements of a subroutine, the array that it changes, and the one that stands for it.
     applied: Option<(&'static str, String)>,
+    /// Arguments of the command that is printed, with the inputs that hold them, and the output of its result.
+    given: Vec<(String, String)>,
+    found: Option<String>,
     /// Shapes of the arrays, each of which is a type.
     arrays: RefCell<BTreeSet<Shape>>,
     /// Digits of the numbers that no REAL can hold, in the order in which they are used.
@@ -155,7 +159,8 @@ impl Ends for StructuredText<'_> {
     fn give(&mut self, values: &[Expr], ending: Ending) {
         if let [value] = values {
             let value = self.alone(value);
-            self.out.line(format!("u := {value};"));
+            let place = self.found.as_deref().unwrap_or("u");
+            self.out.line(format!("{place} := {value};"));
         }
         if let Ending::Known(status) = ending {
             self.out.line(format!("status := {};", status.number()));
@@ -176,6 +181,8 @@ impl<'a> StructuredText<'a> {
             real,
             owner: "self",
             applied: None,
+            given: Vec::new(),
+            found: None,
             arrays: RefCell::default(),
             wide: RefCell::default(),
             out: Lines::default(),

@@ -41,6 +41,7 @@ impl StructuredText<'_> {
             let first = function.results.first()?;
             Some(Member::new(function.name, self.kind(first.shape), &function.about))
         }));
+        given.extend(self.outputs_of_commands());
         given
     }
 

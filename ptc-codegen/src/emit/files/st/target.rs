@@ -42,7 +42,9 @@ pub(in crate::emit) fn is_word(word: &str) -> bool {
 
 fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
     refuse_fma(spec, "Structured Text", found);
-    refuse_flight(spec, "Structured Text", found);
+    if spec.axes.is_some() {
+        refuse_flight(spec, "Structured Text of several axes", found);
+    }
     if spec.what == What::Associated {
         found.push(
             "unsupported",

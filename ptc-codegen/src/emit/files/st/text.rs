@@ -39,7 +39,10 @@ impl Text for StructuredText<'_> {
                 false => helpers::of_subroutine(name),
             };
         }
-        self.named(name)
+        match self.given.iter().find(|(own, _)| own == name) {
+            Some((_, input)) => input.clone(),
+            None => self.named(name),
+        }
     }
 
     fn first(&self) -> i32 {
@@ -47,7 +50,7 @@ impl Text for StructuredText<'_> {
     }
 
     fn field(&self, name: &str) -> String {
-        format!("{}.{}", self.owner, self.local(name))
+        format!("{}.{}", self.owner, self.named(name))
     }
 
     fn parameter(&self, name: &str) -> String {

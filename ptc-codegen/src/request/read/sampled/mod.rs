@@ -95,6 +95,7 @@ impl Reader<'_> {
             exponents,
             observer: None,
             flight: self.flight(spec),
+            keep: None,
             leaves_delay_law: !self.keys.contains_key("delay_law"),
             leaves_eps: !self.keys.contains_key("eps"),
         };
@@ -127,6 +128,7 @@ impl Reader<'_> {
             self.wrong("tau", place, message, help);
         }
         spec.clock = Clock::Samples(Box::new(sampled));
+        self.filter(spec);
         // Those of this clock have names of their own.
         let used = crate::collect::set(spec.expressions().flat_map(Expression::parameters));
         self.names_are_distinct(spec, &used);

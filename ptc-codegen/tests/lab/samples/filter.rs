@@ -1,0 +1,379 @@
+//! Filters in the loop with an exact chain of the test's own, which is looked at between samples too, and in C.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+
+use num_traits::ToPrimitive;
+use ptc_codegen::algebra::{BigInt, BigRational};
+use ptc_codegen::check::Verdict;
+use ptc_codegen::check::examine::examine;
+use ptc_codegen::code::{Instance, Status};
+use ptc_codegen::emit::Language;
+use ptc_codegen::generate;
+use ptc_codegen::samples;
+
+use super::flight::Draw;
+use super::read;
+use crate::support;
+
+/// A state counts as within its bounds up to this part of the greatest one.
+const TOLERANCE: f64 = 1.0 / 1_073_741_824.0;
+
+/// x_i' = x_{i+1}, x_n' = g u with u held for 1/64 s, in rational numbers.
+struct Chain {
+    x: Vec<BigRational>,
+    gain: BigRational,
+}
+
+fn exact(value: f64) -> BigRational {
+    BigRational::from_float(value).expect("a finite number")
+}
+
+fn double(value: &BigRational) -> f64 {
+    value.to_f64().expect("a double")
+}
+
+impl Chain {
+    fn new(x: &[f64], gain: f64) -> Self {
+        Self { x: x.iter().copied().map(exact).collect(), gain: exact(gain) }
+    }
+
+    fn after(&self, u: f64, time: &BigRational) -> Vec<BigRational> {
+        let acts = exact(u) * &self.gain;
+        let all: Vec<_> = self.x.iter().chain([&acts]).collect();
+        let state = |i: usize| {
+            let mut share = exact(1.0);
+            let mut sum = exact(0.0);
+            for (k, value) in (1..).zip(&all[i..]) {
+                sum += &share * *value;
+                share = share * time / BigInt::from(k);
+            }
+            sum
+        };
+        (0..self.x.len()).map(state).collect()
+    }
+
+    /// Goes on by a sample; gives the states at the quarters of it.
+    fn step(&mut self, u: f64) -> Vec<Vec<f64>> {
+        let quarters = (1..=4).map(|part| self.after(u, &exact(f64::from(part) / 256.0)));
+        let quarters: Vec<_> = quarters.collect();
+        // To 2^-120, as fractions grow with each sample.
+        let scale = BigRational::from_integer(BigInt::from(1) << 120_u32);
+        self.x = quarters[3].iter().map(|x| (x * &scale).round() / &scale).collect();
+        quarters.iter().map(|x| x.iter().map(double).collect()).collect()
+    }
+
+    fn now(&self) -> Vec<f64> {
+        self.x.iter().map(double).collect()
+    }
+}
+
+/// Keys of a filter at 64 Hz.
+fn keys<'a>(n: &'a str, more: &[(&'a str, &'a str)]) -> Vec<(&'a str, &'a str)> {
+    let mut all = vec![
+        ("name", "own"),
+        ("what", "filter"),
+        ("n", n),
+        ("sample_time", "0.015625"),
+        ("tau", "0.625"),
+        ("u_max", "inf"),
+    ];
+    all.retain(|(key, _)| !more.iter().any(|(own, _)| own == key));
+    all.extend(more);
+    all
+}
+
+fn instance(keys: &[(&str, &str)]) -> Instance {
+    let spec = read(keys).expect("a legal design");
+    let code = samples::controller(&spec, spec.sampled().expect("samples"), Vec::new());
+    code.check().expect("a program in order");
+    Instance::new(&code, &[]).expect("legal parameters")
+}
+
+fn step(own: &mut Instance, k: u32, x: &[f64], nominal: f64) -> (f64, Status) {
+    let given = [("k", &[f64::from(k)][..]), ("x", x), ("u_nominal", &[nominal])];
+    let outcome = own.call("step", &given);
+    (outcome.results.get("u").map_or(0.0, |u| u[0]), outcome.status)
+}
+
+/// Bounds, poles and limits of filters of each order for which no bound gives way.
+const SOUND: [(&str, [&str; 3], [f64; 4], &str, f64); 5] = [
+    ("1", ["0.5", "-0.25", "-20"], [0.5, 0.0, 0.0, 0.0], "3", 1.0),
+    ("2", ["0.5, 0.8", "-0.25, -1", "-10, -30"], [0.5, 0.8, 0.0, 0.0], "10", 1.0),
+    ("2", ["0.5, 0.8", "-0.25, -1", "-10, -30"], [0.5, 0.8, 0.0, 0.0], "4", -2.5),
+    ("3", ["1, 1, 6", "-1, -1, -6", "-5, -10, -15"], [1.0, 1.0, 6.0, 0.0], "150", 1.0),
+    ("4", ["1, 1, 4, 60", "-1, -1, -4, -60", "-2, -5, -6, -7"], [1.0, 1.0, 4.0, 60.0], "1000", 1.0),
+];
+
+#[test]
+fn bounds_are_kept_between_samples_under_any_controller() {
+    let mut draw = Draw(11);
+    for (n, [below, above, poles], upper, u_max, gain) in SOUND {
+        let gain_text = gain.to_string();
+        let more = [
+            ("keep_below", below),
+            ("keep_above", above),
+            ("keep_poles", poles),
+            ("u_max", u_max),
+            ("g", gain_text.as_str()),
+        ];
+        let keys = keys(n, &more);
+        let order = upper.iter().filter(|bound| **bound > 0.0).count();
+        let lower: Vec<f64> = above.split(", ").map(|text| text.parse().expect("f64")).collect();
+        for kind in 0..3 {
+            let (mut own, mut plant) = (instance(&keys), Chain::new(&vec![0.0; order], gain));
+            let mut changed = 0;
+            for k in 0..300 {
+                let nominal = match kind {
+                    0 => 1e4,
+                    1 => draw.between(-1.0, 1.0) * 10_f64.powf(draw.between(-2.0, 4.0)),
+                    _ => {
+                        if k / 40 % 2 == 0 {
+                            -1e3
+                        } else {
+                            1e3
+                        }
+                    }
+                };
+                let (u, status) = step(&mut own, k, &plant.now(), nominal);
+                match status {
+                    Status::Ok => assert_eq!(u.to_bits(), nominal.to_bits()),
+                    Status::Saturated => changed += usize::from(u != nominal),
+                    other => panic!("n = {n}, sample {k}: {other:?}"),
+                }
+                for x in plant.step(u) {
+                    for (i, x) in x.iter().enumerate() {
+                        let room = TOLERANCE * upper[i].max(-lower[i]);
+                        let within = lower[i] - room <= *x && *x <= upper[i] + room;
+                        assert!(within, "n = {n}, sample {k}: x{} = {x}", i + 1);
+                    }
+                }
+            }
+            assert!(changed > 10, "n = {n}: the filter was not asked for anything");
+        }
+    }
+}
+
+#[test]
+fn sound_means_that_no_bound_gives_way() {
+    for (n, [below, above, poles], _, u_max, gain) in SOUND {
+        let gain = gain.to_string();
+        let of = |u_max: &str| {
+            let more = [
+                ("keep_below", below),
+                ("keep_above", above),
+                ("keep_poles", poles),
+                ("u_max", u_max),
+                ("g", gain.as_str()),
+            ];
+            let report = examine(&read(&keys(n, &more)).expect("a legal design"));
+            let looped = report.outcomes.iter().find(|outcome| outcome.name == "loop");
+            let looped = looped.expect("the check of the loop");
+            (looped.verdict, looped.summary.clone())
+        };
+        assert_eq!(of(u_max).0, Verdict::Sound, "n = {n}: {}", of(u_max).1);
+        // A chain of one integrator can always stop.
+        let wanted = if n == "1" { Verdict::Sound } else { Verdict::Undecided };
+        assert_eq!(of("0.01").0, wanted, "n = {n}: {}", of("0.01").1);
+    }
+    let one =
+        read(&keys("2", &[("keep_below", "0.5"), ("keep_poles", "-10, -30"), ("u_max", "9")]));
+    let report = examine(&one.expect("a legal design"));
+    let looped = report.outcomes.iter().find(|outcome| outcome.name == "loop").expect("a check");
+    assert!(looped.summary.contains("without an upper bound of x2"), "{}", looped.summary);
+}
+
+/// The edge of the cone at the greatest speed is where the whole limit of u is needed: with less of it the bound of x1
+/// goes first, and the status says so.
+#[test]
+fn limits_of_u_are_needed_in_full() {
+    // a_1 times the greatest speed.
+    let rate = (1.0 - (-10.0_f64 / 64.0).exp()) * 64.0;
+    let speed = 0.8;
+    let z1 = 0.5 - speed / rate;
+    let x = [z1 + speed / 128.0, speed];
+    for (share, wanted) in [(1.001, Status::Saturated), (0.999, Status::Infeasible)] {
+        let limit = (rate * speed * share).to_string();
+        let more = [
+            ("keep_below", "0.5, 0.8"),
+            ("keep_above", "-0.5, -0.8"),
+            ("keep_poles", "-10, -30"),
+            ("u_max", &limit),
+        ];
+        let (_, status) = step(&mut instance(&keys("2", &more)), 0, &x, 5.0);
+        assert_eq!(status, wanted, "{share} of what is needed");
+    }
+}
+
+#[test]
+fn a_start_outside_returns_by_the_deadline() {
+    let mut draw = Draw(3);
+    for n in ["1", "2", "3", "4"] {
+        let poles = ["-3", "-7", "-20", "-25"];
+        let order: usize = n.parse().expect("an order");
+        let poles = poles[..order].join(", ");
+        for weight in ["least-energy", "least-energy(weight=1)"] {
+            let more = [("keep_below", "0.25"), ("keep_poles", poles.as_str()), ("poles", weight)];
+            let keys = keys(n, &more);
+            for _ in 0..4 {
+                let x: Vec<_> = (0..order).map(|_| draw.between(-2.0, 2.0)).collect();
+                let (mut own, mut plant) = (instance(&keys), Chain::new(&x, 1.0));
+                for k in 0..80 {
+                    let (u, status) = step(&mut own, k, &plant.now(), draw.between(-10.0, 50.0));
+                    assert!(k < 60 || status != Status::Infeasible, "n = {n}, sample {k}");
+                    for x in plant.step(u) {
+                        assert!(k < 40 || x[0] <= 0.25 + 1e-9, "n = {n}, sample {k}: {}", x[0]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+const MAIN: &str = r#"#include "own_filter.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+static double number(void) {
+    uint64_t bits = 0;
+    double value;
+    if (scanf("%" SCNx64, &bits) != 1) { bits = 0; }
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+int main(void) {
+    static own_filter c;
+    own_filter_params params;
+    uint32_t k;
+    memset(&params, 0, sizeof params);
+    if (own_filter_init(&c, &params) != PTC_OK) { return 1; }
+    while (scanf("%" SCNu32, &k) == 1) {
+        double x[2] = { number(), number() }, nominal = number(), u = 0.0;
+        int status = own_filter_step(&c, k, x, nominal, &u);
+        uint64_t bits;
+        memcpy(&bits, &u, sizeof bits);
+        printf("%d %" PRIx64 "\n", status, bits);
+    }
+    return 0;
+}
+"#;
+
+#[test]
+fn c_gives_the_bits_of_the_interpreter() {
+    let more = [
+        ("keep_below", "0.5, 0.8"),
+        ("keep_above", "-0.5, -0.8"),
+        ("keep_poles", "-10, -30"),
+        ("u_max", "10"),
+        ("delay", "1.25"),
+        ("f", "-0.5"),
+    ];
+    let keys = keys("2", &more);
+    let spec = read(&keys).expect("a legal design");
+    let folder = support::folder("filter_in_c");
+    for file in generate(&spec, Language::C).expect("a legal design") {
+        std::fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    std::fs::write(folder.join("main.c"), MAIN).expect("a file");
+    let warn = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off"];
+    let built = Command::new("gcc")
+        .args(warn)
+        .args(["-o", "run", "main.c", "own_filter.c", "-lm"])
+        .current_dir(&folder)
+        .status();
+    assert!(built.expect("gcc").success());
+    let (mut own, mut draw) = (instance(&keys), Draw(8));
+    let (mut given, mut wanted) = (String::new(), String::new());
+    let mut seen = Vec::new();
+    for k in 0..2000 {
+        let mut x = [draw.between(-0.6, 0.6), draw.between(-1.0, 1.0)];
+        if k % 97 == 0 {
+            x[0] = f64::NAN;
+        }
+        let nominal = draw.between(-12.0, 12.0);
+        let (u, status) = step(&mut own, k, &x, nominal);
+        let _ = writeln!(
+            given,
+            "{k} {:x} {:x} {:x}",
+            x[0].to_bits(),
+            x[1].to_bits(),
+            nominal.to_bits()
+        );
+        let _ = writeln!(wanted, "{} {:x}", status.number(), u.to_bits());
+        seen.push(status);
+    }
+    for status in [Status::Ok, Status::Saturated, Status::Infeasible, Status::Input] {
+        assert!(seen.contains(&status), "{status:?} was not met");
+    }
+    let mut run = Command::new(folder.join("run"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program");
+    run.stdin.take().expect("its input").write_all(given.as_bytes()).expect("written");
+    let output = run.wait_with_output().expect("its output");
+    assert_eq!(String::from_utf8_lossy(&output.stdout), wanted);
+}
+
+#[test]
+fn mistakes_are_named() {
+    let filter = [("keep_below", "0.5, 0.8"), ("keep_above", "-0.5"), ("keep_poles", "-10, -30")];
+    let cases = [
+        ("mu", "exp(a=1)", "leave it out: a filter changes the u of any controller"),
+        ("measured", "x1", "`measured` beside a filter, which has no law"),
+        ("n", "5", "keeps the bounds of a chain of order 1..=4"),
+        ("keep_poles", "-10", "give 2 numbers < 0"),
+        ("keep_poles", "-10, 3", "give 2 numbers < 0"),
+        ("keep_below", "1, 2, 3", "give the values of x1, x2, ... in this order"),
+        ("keep_below", "-inf", "keep_below is a number or inf for each"),
+        ("keep_below", "-0.6", "leave no room"),
+        ("keep_below", "0.5, -1", "keep_below of x2 excludes 0, where x1 is at rest"),
+        ("keep_above", "-1, 0.5", "keep_above of x2 excludes 0"),
+        ("keep_tolerance", "0", "keep_tolerance is a number > 0"),
+        ("poles", "-3, -4", "returns by least-energy"),
+        ("f", "load", "give the known constant force as a number"),
+        ("tau", "0.015625", "too few to come to rest"),
+        ("clock", "time", "leave it out: a filter counts samples"),
+    ];
+    for (key, value, wanted) in cases {
+        let mut all = keys("2", &filter);
+        all.retain(|(own, _)| *own != key);
+        all.push((key, value));
+        let found = read(&all).expect_err(key);
+        assert!(found.contains(wanted), "{key} = {value}: {found}");
+        assert_eq!(found.lines().count(), 1, "{key} = {value}: {found}");
+    }
+    let missing = |key: &str| {
+        let mut all = keys("2", &filter);
+        all.retain(|(own, _)| *own != key);
+        read(&all).expect_err(key)
+    };
+    for key in ["tau", "sample_time", "keep_poles", "n"] {
+        assert!(missing(key).contains(&format!("`{key}` is missing")), "{key}: {}", missing(key));
+    }
+    let law = [("n", "2"), ("mu", "exp(a=1)"), ("keep_below", "1")];
+    assert!(read(&law).expect_err("bounds").contains("`keep_below` without a filter"));
+}
+
+/// A filter written as a command is the same filter.
+#[test]
+fn commands_give_the_filter_back() {
+    let more = [
+        ("keep_below", "0.5, inf"),
+        ("keep_above", "-inf, -0.8"),
+        ("keep_poles", "-30, -10"),
+        ("keep_tolerance", "1e-3, 1e-2"),
+        ("poles", "least-energy(weight=1)"),
+        ("delay", "1"),
+        ("g", "2"),
+        ("u_max", "10"),
+        ("u_min", "-8"),
+    ];
+    let spec = read(&keys("2", &more)).expect("a legal design");
+    let command = spec.command();
+    for flag in ["--what filter", "--keep-below=0.5,inf", "--keep-poles=-10,-30", "--delay=1"] {
+        assert!(command.contains(flag), "{flag}: {command}");
+    }
+    assert!(!command.contains("--mu") && !command.contains("--clock"), "{command}");
+}
