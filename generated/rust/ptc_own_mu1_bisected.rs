@@ -74,6 +74,8 @@ pub enum Status {
     Gated,
     /// The deadline was put off, as a limit would have been exceeded.
     Late,
+    /// The bounds of a filter cannot be kept from here: u is the nearest to them.
+    Infeasible,
 }
 
 /// Result of a step.

@@ -31,6 +31,9 @@ impl Spec {
     pub fn meaning(&self, parameter: Parameter) -> &'static str {
         match parameter {
             Parameter::UMax if self.u_min => Parameter::UPPER_LIMIT,
+            Parameter::Samples if self.keep().is_some() => {
+                "samples N in which a state outside returns"
+            }
             parameter => parameter.meaning(),
         }
     }

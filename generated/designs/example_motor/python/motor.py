@@ -73,6 +73,8 @@ class Status(IntEnum):
     """A reading was not believed: u by prediction alone; wins over all above."""
     LATE = 5
     """The deadline was put off, as a limit would have been exceeded."""
+    INFEASIBLE = 6
+    """The bounds of a filter cannot be kept from here: u is the nearest to them."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3

@@ -125,7 +125,11 @@ impl Builder<'_> {
     }
 
     fn functions(&mut self) -> Vec<Function> {
-        let start = self.keep_count("start", "tick at which it was armed", Expr::Count(0));
+        let about = match self.spec.what {
+            What::Filter => "tick of the last safe sample, or of `arm`",
+            _ => "tick at which it was armed",
+        };
+        let start = self.keep_count("start", about, Expr::Count(0));
         if self.spec.what == What::Observer {
             let mut functions = vec![self.arm(), self.update(&start)];
             functions.extend(self.estimates());
@@ -173,6 +177,9 @@ impl Builder<'_> {
             _ => " Estimates and inputs under way are kept.",
         };
         let starts = match (self.spec.what, self.sampled.observer_samples()) {
+            (What::Filter, _) => {
+                "From tick `k` on a state outside has N samples to return.".to_owned()
+            }
             (What::Observer, Some(samples)) => {
                 format!("Starts a round of {samples} samples at tick `k`.")
             }

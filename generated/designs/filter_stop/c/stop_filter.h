@@ -1,0 +1,105 @@
+/*
+ * Prescribed-time filter stop_filter: order n = 2, clock in samples.
+ *
+ * DO NOT EDIT. Made by:
+ *   ptc-codegen emit --lang c --n 2 --name stop --what filter --keep-below=0.5,0.8 --keep-above=-0.5,-0.8 --keep-poles=-10,-40 --tau=0.4 --u-max=10 --sample-time=1e-3
+ * Version 0.1.0, design 74c45379c0da.
+ *
+ * Plant: x1' = x2, x2' = u; u held from sample to sample.
+ * Goal: -0.5 <= x1 <= 0.5, -0.8 <= x2 <= 0.8, at and between all samples, under any
+ *       controller, from every state from which that is possible and as long as nothing else
+ *       acts on the plant.
+ * Filter: with the control points z = S x of the trajectory, q_0 = z_i and q_j = (Delta +
+ *       a_(i+j-1)) q_(j-1), with the rates a_i = (1 - exp(p_i h))/h of the poles -10, -40
+ *       1/s. In this cone all states are safe: x_i stays within its bound b as long as all
+ *       q_j are within b a_i...a_(i+j-1), j < n+1-i; the last of them, in which u occurs, is
+ *       the limit of u.
+ * From any other state u is held to the law least-energy of the chain of each x_i less its
+ *       bound too, so that x_i is within it at the latest N samples after the last safe one,
+ *       as long as u is not at its limits.
+ *
+ * Parameters:
+ *   samples = 400 [samples], fixed: samples N in which a state outside returns
+ *   h = 1e-3 [s], fixed: sample period
+ *   u_max = 10 [unit of u], fixed: bound of |u|
+ *
+ * k counts samples and may wrap; call step at least once within 2^32 - N samples.
+ * u is u_nominal where no bound is near (status OK), and else the nearest that they allow
+ *       (SATURATED).
+ * INFEASIBLE: the state is not safe, or not all bounds can be kept: those of x1 go before
+ *       those of x2 and so on, the limits of u before all.
+ * |u| <= u_max: u is clipped to it (status SATURATED). This goes before all bounds.
+ * Guard full: x and u_nominal are finite and no pointer is NULL, or the call is refused
+ *       (status E_INPUT).
+ * Precision f64 (IEEE 754 binary64). Results are bit for bit the same on every IEEE 754
+ *       machine without fused multiply-add (gcc, clang: -ffp-contract=off).
+ *
+ * Checks of the design (details: ptc-codegen check):
+ *   membership: sound: exp is of class M for all its parameters.
+ *   growth: not checked: a filter has no law.
+ *   sampling: not checked: a filter has no law.
+ *   deadline: not checked: a filter has no law.
+ *   loop: sound: from every safe state the bounds are kept at and between all samples, and no
+ *       limit is in the way.
+ *   envelope: not checked: a filter has no law.
+ */
+#ifndef STOP_FILTER_E143D0AD_H
+#define STOP_FILTER_E143D0AD_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef PTC_STATUS_DEFINED
+#define PTC_STATUS_DEFINED
+/* Outcome of a call; a negative one leaves *u = 0. */
+typedef enum ptc_status {
+    PTC_OK = 0, /* tracking */
+    PTC_HOLD = 1, /* time-to-go held at eps: the deadline is near or over, u is valid */
+    PTC_SATURATED = 2, /* u clipped to its limits; wins over PTC_HOLD and PTC_AFTER */
+    PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
+    PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
+    PTC_LATE = 5, /* the deadline was put off, as a limit would have been exceeded: u is valid */
+    PTC_INFEASIBLE = 6, /* bounds of a filter that cannot be kept from here: u is the nearest to them */
+    PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
+    PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
+    PTC_E_RANGE = -3, /* u not finite */
+    PTC_E_SOON = -4 /* a deadline too soon for the limits, or none that keeps them */
+} ptc_status;
+#endif
+
+/* Run-time parameters. */
+typedef struct stop_filter_params {
+    char none; /* every parameter is fixed */
+} stop_filter_params;
+
+/* Filter: set by init, changed by arm and by what takes it without const. */
+typedef struct stop_filter {
+    uint32_t start; /* tick of the last safe sample, or of `arm` */
+} stop_filter;
+
+/* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */
+ptc_status stop_filter_init(stop_filter *self, const stop_filter_params *params);
+
+/* From tick `k` on a state outside has N samples to return. */
+ptc_status stop_filter_arm(stop_filter *self, uint32_t k);
+
+/*
+ * u_nominal as it is, or as near to it as the bounds allow, from tick `k`, which may wrap, and the
+ * state x = (x1, x1', ...). On a negative status u is 0 and nothing has changed. u must not overlap
+ * x.
+ */
+ptc_status stop_filter_step(
+    stop_filter *self,
+    uint32_t k,
+    const double x[2],
+    double u_nominal,
+    double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
