@@ -349,7 +349,7 @@ pub static KEYS: [KeyInfo; 75] = [
     KeyInfo {
         key: "state_max",
         meaning: "bounds of the states that a planned deadline keeps: speed, acceleration; with clock = samples",
-        legal: "a number > 0 or inf, or one for each state",
+        legal: "a number > 0 or inf, or one for each state; a list of them for each axis",
         example: "inf,0.5",
     },
     KeyInfo {

@@ -350,6 +350,37 @@ fn deadlines_change_in_flight() {
     assert_eq!(late.soonest(), Err(ptc::Error::Soon), "beyond its bound");
 }
 
+ptc::controller!(
+    LateAxes,
+    n = 2,
+    axes = 2,
+    mu = exp(a = 1),
+    clock = samples,
+    poles = [[-2, -3], [-3, -4]],
+    tau = 0.4,
+    sample_time = 0.01,
+    eps = 0,
+    late = refuse,
+    limits = [4, 20],
+    state_max = [[inf, 0.5], [inf, inf]],
+);
+
+/// All axes have one deadline, which is refused where one of them cannot keep it.
+#[test]
+fn axes_share_a_deadline_in_flight() {
+    let mut late = LateAxes::new(LateAxesParams {}).expect("no parameter is left to run time");
+    let x = [[0.3, 0.1], [0.1, -2.0]];
+    let soonest = late.soonest(&x).expect("a deadline");
+    assert_eq!(late.arm_for(7, soonest - 1, &x), Err(ptc::Error::Soon));
+    late.arm(7);
+    assert_eq!(late.deadline(), 47);
+    late.arm_for(7, soonest, &x).expect("the soonest deadline");
+    assert_eq!(late.deadline(), 7 + soonest);
+    let first = late.step(7, &x);
+    assert_eq!((first.status, first.axes), (Ok(ptc::Status::Ok), [Ok(ptc::Status::Ok); 2]));
+    assert_eq!(late.soonest(&[[0.0, 0.6], [0.0, 0.0]]), Err(ptc::Error::Soon), "beyond its bound");
+}
+
 ptc::ptc_controller!(
     what = filter,
     n = 2,

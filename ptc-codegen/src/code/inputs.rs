@@ -11,6 +11,10 @@ pub struct Inputs {
     pub limits: Vec<Bounds>,
     /// Tests if the call tracks; otherwise the gains are held.
     pub tracks: Test,
+    /// Tests if the call has put its deadline off, where it may.
+    pub late: Option<Test>,
+    /// Statements of a call that does not fail.
+    pub changes: Vec<Statement>,
 }
 
 /// Whose status it is.
@@ -66,9 +70,13 @@ impl Inputs {
                 vec![Statement::If(test, clipped(&limit), rest)]
             }));
         }
+        given.extend(self.changes);
         refused.push(settle(Whose::Call, Status::Range));
-        let [tracking, held] =
+        let [mut tracking, held] =
             [Status::Ok, Status::Hold].map(|status| vec![settle(Whose::Call, status)]);
+        if let Some(late) = self.late {
+            tracking = vec![Statement::If(late, vec![settle(Whose::Call, Status::Late)], tracking)];
+        }
         vec![Statement::If(self.tracks, tracking, held), Statement::If(every, given, refused)]
     }
 }

@@ -13,7 +13,8 @@ use crate::parameter::Fixed;
 use crate::syntax::{Argument, Node, Value, number, parse};
 
 /// The keys whose value may be a list of rows.
-const MATRICES: [&str; 7] = ["A", "C", "error", "gains", "inertia", "poles", "x0_max"];
+const MATRICES: [&str; 9] =
+    ["A", "C", "error", "gains", "inertia", "limits", "poles", "state_max", "x0_max"];
 
 /// The keys whose value may be a table in braces.
 const TABLES: [&str; 4] = ["dynamics", "plant.dynamics", "plant.added", "plant.resonance"];

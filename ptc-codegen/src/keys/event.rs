@@ -19,13 +19,13 @@ pub static EVENT_KEYS: [KeyInfo; 6] = [
     KeyInfo {
         key: "move",
         meaning: "how far the target of x1 moves, which the observer is told",
-        legal: "a number, or [lower, upper]",
+        legal: "a number, or [lower, upper]; with axes a list of them",
         example: "0.05",
     },
     KeyInfo {
         key: "kick",
         meaning: "a force that is added to u, for the time `for`",
-        legal: "a number, or [lower, upper]",
+        legal: "a number, or [lower, upper]; with axes a list of them",
         example: "2",
     },
     KeyInfo {

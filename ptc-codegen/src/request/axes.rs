@@ -24,6 +24,8 @@ pub struct Axes {
     pub limits: Vec<Fixed>,
     /// Lower limit of u of each; empty where each is the opposite of its upper one.
     pub lower: Vec<Fixed>,
+    /// Bounds of the states of each that planned deadlines keep, [`Flight::state_max`](super::Flight::state_max).
+    pub state_max: Vec<Vec<Fixed>>,
     /// Input gain g of each.
     pub input_gains: Vec<Expression>,
     /// Law pi0 of each output of a plant that is not a sum of gains. In these `x_j` are the states of the
@@ -38,6 +40,7 @@ impl Axes {
     pub fn differ(&self) -> bool {
         !self.gains.is_empty()
             || !self.limits.is_empty()
+            || !self.state_max.is_empty()
             || !self.input_gains.is_empty()
             || !self.laws.is_empty()
             || !self.references.is_empty()
@@ -131,6 +134,9 @@ impl Spec {
             sampled.exponents = exponents.or(sampled.exponents.take());
             if chains {
                 (sampled.measured, sampled.gain) = (spec.n, gain);
+            }
+            if let (Some(flight), Some(own)) = (&mut sampled.flight, axes.state_max.get(index)) {
+                flight.state_max.clone_from(own);
             }
         }
         spec

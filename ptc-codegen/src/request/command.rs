@@ -206,10 +206,7 @@ impl Spec {
         for (flag, values) in lists {
             let of_chains = ["--error", "--x0-max"].contains(&flag);
             words.extend(match self.bounds_of_chains(values).filter(|_| of_chains) {
-                Some(rows) => {
-                    let rows: Vec<_> = rows.iter().filter_map(|row| list(row.iter())).collect();
-                    Some(format!("{flag}=\"[[{}]]\"", rows.join("],[")))
-                }
+                Some(rows) => Some(rows_word(flag, rows)),
                 None => list(values.iter()).map(|values| word(flag, &values)),
             });
         }
@@ -286,6 +283,12 @@ fn limit_words(axes: &Axes) -> Option<String> {
     let pairs = axes.lower.iter().zip(&axes.limits);
     let pairs: Vec<_> = pairs.map(|(least, most)| format!("[{least},{most}]")).collect();
     Some(format!("--limits=\"[{}]\"", pairs.join(",")))
+}
+
+/// A flag with the numbers of each axis or output.
+fn rows_word<'a>(flag: &str, rows: impl IntoIterator<Item = &'a [Fixed]>) -> String {
+    let rows: Vec<_> = rows.into_iter().filter_map(|row| list(row.iter())).collect();
+    format!("{flag}=\"[[{}]]\"", rows.join("],["))
 }
 
 /// A flag with its value, in quotes where a shell would read more into it.

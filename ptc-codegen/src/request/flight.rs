@@ -5,7 +5,7 @@ use num_traits::ToPrimitive;
 use super::{Sampled, Spec};
 use crate::algebra::BigRational;
 use crate::linear::{Horizon, Plan, power_of_period};
-use crate::parameter::{Fixed, Parameter, Precision};
+use crate::parameter::{Fixed, Parameter};
 
 /// A controller whose deadline may change while it runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,6 +63,15 @@ impl Spec {
 }
 
 impl Sampled {
+    /// Returns the bounds of each chain, of which there are several where there are axes; `None` where one has none.
+    pub(crate) fn horizons(&self, spec: &Spec) -> Option<Vec<Horizon>> {
+        let of_axis = |own: Spec| own.sampled()?.horizon(&own);
+        match &spec.axes {
+            Some(_) => spec.designs().into_iter().map(of_axis).collect(),
+            None => Some(vec![self.horizon(spec)?]),
+        }
+    }
+
     /// Returns the bounds from which a deadline is known to keep the limits; `None` for plants that are not one chain,
     /// with a reference, whose future decides u, and for laws whose u has no closed form to its end.
     pub(crate) fn horizon(&self, spec: &Spec) -> Option<Horizon> {
@@ -104,23 +113,5 @@ impl Sampled {
             s.rows().iter().map(|row| (&row[j] * &unit).to_f64()).collect()
         };
         (0..planned.powers.len()).map(column).collect()
-    }
-
-    /// Most samples to a deadline that is planned: beyond, numbers leave the range of the precision.
-    pub(crate) fn longest(&self, horizon: &Horizon, precision: Precision) -> u32 {
-        const MOST: u32 = 1 << 30;
-        let exponents = horizon.stretches.iter().map(|stretch| {
-            let course = &stretch.course;
-            course.exponent(course.order() - 1)
-        });
-        let exponent = exponents.max().unwrap_or(1);
-        let digits = match precision {
-            Precision::F64 => 290.0,
-            Precision::F32 => 30.0,
-        };
-        let samples = 10f64.powf(digits / f64::from(exponent));
-        // Single precision holds whole numbers to 2^24.
-        let exact = if precision == Precision::F32 { 1 << 24 } else { MOST };
-        if samples < f64::from(exact) { samples.floor().to_u32().unwrap_or(exact) } else { exact }
     }
 }

@@ -7,12 +7,23 @@ impl Builder<'_> {
     /// Returns the statements of the law of each output, which demands the last rate of its chain, from the coordinates
     /// of the chains. They count down together, and those that change to deadbeat at the same sample decide it once.
     pub(super) fn laws(&mut self, samples: &Expr) -> Vec<Statement> {
+        let laws = self.of_each_law(|own| own.law(samples));
+        let mut all = Vec::new();
+        laws.into_iter().for_each(|law| join(&mut all, law));
+        all
+    }
+
+    /// Returns the `part` of each law: that of the only one, or that of each output or axis.
+    pub(super) fn of_each_law<T>(&mut self, mut part: impl FnMut(&mut Self) -> T) -> Vec<T> {
+        if self.designs.is_empty() {
+            return vec![part(self)];
+        }
         let of_plant = (self.spec, self.sampled);
         let mut all = Vec::new();
         for (output, own) in (1..).zip(self.designs) {
             let Some(sampled) = own.sampled() else { continue };
             (self.spec, self.sampled, self.output) = (own, sampled, Some(output));
-            join(&mut all, self.law(samples));
+            all.push(part(self));
         }
         (self.spec, self.sampled) = of_plant;
         self.output = None;

@@ -1,10 +1,11 @@
 //! `step` of a plant with several inputs, or of several axes.
 
 use super::controller::Builder;
+use super::flight::LAST;
 use super::model::AtSample;
 use crate::code::{
-    Access, Bounds, Cell, Expr, Finish, Function, Index, Inputs, Owner, Shape, Statement, Status,
-    Test, Variable,
+    Access, Bounds, Cell, Expr, Finish, Function, Index, Inputs, Owner, Place, Shape, Statement,
+    Status, Test, Variable,
 };
 use crate::parameter::Name;
 
@@ -12,12 +13,15 @@ impl Builder<'_> {
     /// Every u at a tick.
     pub(super) fn step_of_inputs(&mut self, start: &Expr, samples: &Expr) -> Function {
         let m = self.designs.len();
-        let states = (0..self.sampled.measured).map(|place| self.state(place));
+        let states = self.states_of_axes();
         let given = states.chain(self.given_references().into_iter().flatten());
         let mut body: Vec<_> = self.finite(given).into_iter().collect();
         body.push(Self::elapsed(start));
-        let (statements, values) = match self.spec.decoupled() {
-            Some(_) => self.of_plant(samples),
+        let (statements, values, samples) = match self.spec.decoupled() {
+            Some(_) => {
+                let (statements, values) = self.of_plant(samples);
+                (statements, values, samples.clone())
+            }
             None => self.of_axes(samples),
         };
         body.extend(statements);
@@ -29,18 +33,27 @@ impl Builder<'_> {
             None => Test::CountLess(Expr::local("elapsed"), samples.clone()),
         };
         let limits = (0..m).map(|index| self.limit_of(index)).collect();
-        body.extend(Inputs { values, limits, tracks }.statements());
-        let [about, x, u] = self.about();
-        let shape = match self.spec.decoupled() {
-            Some(_) => Shape::Reals(self.sampled.measured),
-            None => Shape::Lists(m, self.spec.n),
+        let late = self.replans().then(|| self.is_late());
+        let changes = match self.replans() {
+            true => vec![Statement::Set(Place::Field(LAST.to_owned()), samples.clone())],
+            false => Vec::new(),
+        };
+        let access = if changes.is_empty() { Access::Read } else { Access::Change };
+        body.extend(Inputs { values, limits, tracks, late, changes }.statements());
+        let [about, u] = self.about();
+        let x = match self.spec.decoupled() {
+            Some(coupled) => {
+                let about = format!("state: {}", Name::listed(&coupled.states));
+                Variable::new("x", Shape::Reals(self.sampled.measured), about)
+            }
+            None => self.argument_of_axes(),
         };
         Function {
             name: "step",
             about,
             owner: Owner::Controller,
-            access: Access::Read,
-            arguments: [Variable::new("k", Shape::Count, "tick"), Variable::new("x", shape, x)]
+            access,
+            arguments: [Variable::new("k", Shape::Count, "tick"), x]
                 .into_iter()
                 .chain(self.reference())
                 .collect(),
@@ -82,22 +95,40 @@ impl Builder<'_> {
         (body, values)
     }
 
-    /// The chain of each axis, and its law, which is its input.
-    fn of_axes(&mut self, samples: &Expr) -> (Vec<Statement>, Vec<Expr>) {
-        let n = self.spec.n;
-        let local = |place: usize| {
-            let name = format!("x{}_{}", place % n + 1, place / n + 1);
-            Statement::Let(name, Shape::Real, self.state(place))
-        };
-        let mut body: Vec<_> = (0..self.sampled.measured).map(local).collect();
+    /// The chain of each axis, and its law, which is its input, and the samples from the start to rest.
+    fn of_axes(&mut self, samples: &Expr) -> (Vec<Statement>, Vec<Expr>, Expr) {
+        let mut body = self.chains_of_axes();
         body.extend(self.follow());
-        body.extend(self.laws(samples));
+        let (planned, samples) = self.samples_now(samples);
+        body.extend(planned);
+        body.extend(self.laws(&samples));
         let law = |axis| Expr::local(format!("law_{axis}"));
-        (body, (1..=self.designs.len()).map(law).collect())
+        (body, (1..=self.designs.len()).map(law).collect(), samples)
     }
 
-    /// Describes the function, its argument and its result in words.
-    fn about(&self) -> [String; 3] {
+    /// The states of all axes, as a call is given them.
+    pub(super) fn argument_of_axes(&self) -> Variable {
+        let shape = Shape::Lists(self.designs.len(), self.spec.n);
+        Variable::new("x", shape, "state of each axis: x1, its rate, ...")
+    }
+
+    /// The states of the plant, or of all axes.
+    pub(super) fn states_of_axes(&self) -> impl Iterator<Item = Expr> {
+        (0..self.sampled.measured).map(|place| self.state(place))
+    }
+
+    /// Statements that set the states of the chain of each axis.
+    pub(super) fn chains_of_axes(&self) -> Vec<Statement> {
+        let n = self.spec.n;
+        let local = |(place, state): (usize, Expr)| {
+            let name = format!("x{}_{}", place % n + 1, place / n + 1);
+            Statement::Let(name, Shape::Real, state)
+        };
+        self.states_of_axes().enumerate().map(local).collect()
+    }
+
+    /// Describes the function and its result in words.
+    fn about(&self) -> [String; 2] {
         let follows = self.spec.references() > 0;
         let Some(coupled) = self.spec.decoupled() else {
             let given = match follows {
@@ -108,7 +139,6 @@ impl Builder<'_> {
                 format!(
                     "u of each axis from tick `k`, which may wrap, and {given}. Where one of them is not finite, every u is 0; else the status is SATURATED where one was clipped."
                 ),
-                "state of each axis: x1, its rate, ...".to_owned(),
                 "input of each axis".to_owned(),
             ];
         };
@@ -120,7 +150,6 @@ impl Builder<'_> {
                 if follows { " and the reference r of each output" } else { "" },
                 Inputs::ENDS
             ),
-            format!("state: {states}"),
             format!("inputs of the plant: {inputs}"),
         ]
     }

@@ -101,7 +101,7 @@ impl Loop {
         let end = |event: &Event| match event.change {
             Change::Arm => self.sample_of(event) + tau,
             Change::Deadline(samples) => self.sample_of(event) + f64::from(samples) * self.period,
-            Change::Target(_) | Change::Force { .. } => event.at,
+            Change::Target { .. } | Change::Force { .. } => event.at,
         };
         self.events.iter().map(end).fold(tau, f64::max)
     }

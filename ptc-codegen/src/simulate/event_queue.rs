@@ -10,7 +10,16 @@ pub(super) struct EventQueue {
     /// Sorted by time.
     all: Vec<Event>,
     next: usize,
-    forces: Vec<(f64, f64)>,
+    forces: Vec<Force>,
+}
+
+/// A force that acts.
+struct Force {
+    /// The input, from 0; `None` for every one.
+    input: Option<usize>,
+    size: f64,
+    /// The time at which it ends.
+    until: f64,
 }
 
 /// The events of one sample.
@@ -29,32 +38,36 @@ impl EventQueue {
         while let Some(event) = self.all.get(self.next).filter(|e| since >= e.at * (1.0 - SAME)) {
             self.next += 1;
             match event.change {
-                Change::Force { size, length } => self.forces.push((size, since + length)),
+                Change::Force { input, size, length } => {
+                    self.forces.push(Force { input, size, until: since + length });
+                }
                 change => now.push(change),
             }
         }
         SampleEvents(now)
     }
 
-    /// The force that acts from a sample on.
-    pub(super) fn force(&mut self, since: f64) -> f64 {
-        self.forces.retain(|(_, until)| since < until * (1.0 - SAME));
-        self.forces.iter().map(|(size, _)| size).sum()
+    /// Forgets the forces that have ended at a sample.
+    pub(super) fn end_forces(&mut self, since: f64) {
+        self.forces.retain(|force| since < force.until * (1.0 - SAME));
+    }
+
+    /// The force that acts on an input.
+    pub(super) fn force(&self, input: usize) -> f64 {
+        let own = self.forces.iter().filter(|force| force.input.is_none_or(|own| own == input));
+        own.map(|force| force.size).sum()
     }
 }
 
 impl SampleEvents {
-    /// Tells the controller that the target moves, and returns by how much.
-    pub(super) fn move_target(&self, control: &mut dyn Control) -> f64 {
-        let by = |change: &Change| match change {
-            Change::Target(by) => Some(*by),
-            _ => None,
-        };
-        let moves: Vec<_> = self.0.iter().filter_map(by).collect();
-        for by in &moves {
-            control.call("move", &[&[*by]]);
+    /// Tells the controller that targets move, and counts the states from there.
+    pub(super) fn move_targets(&self, control: &mut dyn Control, x: &mut [f64]) {
+        for change in &self.0 {
+            if let Change::Target { state, by } = change {
+                control.call("move", &[&[*by]]);
+                x[*state] -= by;
+            }
         }
-        moves.iter().sum()
     }
 
     /// Arms the controller at `now`, its clock, which is `t` s: the time to the new deadline, none for that of the
@@ -83,7 +96,7 @@ impl SampleEvents {
                     }
                     armed = Some(Some(asked * period));
                 }
-                Change::Target(_) | Change::Force { .. } => {}
+                Change::Target { .. } | Change::Force { .. } => {}
             }
         }
         Ok(armed)

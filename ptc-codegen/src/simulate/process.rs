@@ -104,7 +104,7 @@ impl Process {
             }
             let now = if self.in_samples { f64::from(index) } else { t };
             let happens = events.at(since);
-            x.as_mut_slice()[0] -= happens.move_target(control);
+            happens.move_targets(control, x.as_mut_slice());
             let state = &x.as_slice()[..self.n];
             let measured = self.measured(&mut frame, t, state);
             if let Some(rest) = happens.arm(control, (now, t), &measured, around.period)? {
@@ -135,10 +135,12 @@ impl Process {
             if last {
                 break;
             }
+            events.end_forces(since);
             let Span { from, over, to } = frame.next();
             for (u, from, to) in [(&u, from, over), (newer, over, to)] {
-                let force = events.force(since);
-                let acts: Vec<_> = u.iter().map(|u| frame.gain * u + force).collect();
+                let forces = (0..).map(|input| events.force(input));
+                let acts: Vec<_> =
+                    u.iter().zip(forces).map(|(u, force)| frame.gain * u + force).collect();
                 let held = Held { u, acts: &acts };
                 let at = |part: u32| match part == around.parts {
                     true => to,

@@ -92,6 +92,84 @@ fn kicks_are_forces_for_a_time() {
     }
 }
 
+/// Two axes: the target of the second moves, and both are at rest at the deadline that is put off for them.
+const AXES: &str = "n = 2\naxes = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\n\
+    poles = [[-4, -5], [-2, -3]]\nlimits = [5, 2]\nlate = \"extend\"\n[params]\ntau = 0.4\neps = 0\n";
+
+#[test]
+fn targets_of_axes_move_one_by_one() {
+    let folder = support::folder("events_axes");
+    let design = format!(
+        "{AXES}[[event]]\nat = 1\nmove = [0, 0.5]\ntau = 0.2\n[[event]]\nat = 0.1\nkick = [0, 3]\nfor = 0.02\n"
+    );
+    let more = ["--x0=0.1,0,0.2,0"];
+    std::fs::write(folder.join("stage.toml"), &design).expect("a file");
+    let mut command = support::command(&["simulate", "stage.toml"]);
+    command.args(more).current_dir(&folder);
+    let (code, csv, told) = support::told(&mut command);
+    assert_eq!(code, Some(0), "{told}");
+    let row = |line: &str| -> (Vec<f64>, String) {
+        let cells: Vec<_> = line.split(',').collect();
+        let numbers = cells[1..8].iter().map(|cell| cell.parse().expect("a number"));
+        (numbers.collect(), cells[cells.len() - 1].to_owned())
+    };
+    let rows: Vec<_> = csv.lines().skip(1).map(row).collect();
+    let at = |t: f64| rows.iter().find(|row| (row.0[0] - t).abs() < 1e-6).expect("a sample");
+    // u2 and the kick move the second axis, u1 alone the first one.
+    for (t, force) in [(0.1, 3.0), (0.11, 3.0), (0.12, 0.0)] {
+        let [now, next] = [t, t + 0.01].map(|t| &at(t).0);
+        assert!((next[2] - now[2] - 0.01 * now[5]).abs() < 1e-12, "{now:?}, {next:?}");
+        assert!((next[4] - now[4] - 0.01 * (now[6] + force)).abs() < 1e-12, "{now:?}, {next:?}");
+    }
+    let moved = &at(1.0).0;
+    assert!(moved[1].abs() < 1e-9 && (moved[3] + 0.5).abs() < 1e-9, "{moved:?}");
+    assert_eq!(at(1.0).1, "PTC_LATE");
+    let (last, status) = rows.last().expect("a sample");
+    assert!(last[0] > 1.2 && last[1..5].iter().all(|x| x.abs() < 1e-9), "{last:?}");
+    assert_eq!(status, "PTC_HOLD");
+    assert!(rows.iter().all(|row| row.1 != "PTC_SATURATED"), "{csv}");
+}
+
+/// Two masses with a spring, each driven: sampled exactly, so that any deadline in flight ends at rest.
+const MASSES: &str = "mu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\npoles = [-3, -4]\nin_flight = true\n\
+    [params]\ntau = 1\neps = 0\nu_max = inf\n[model]\nstates = [\"p\", \"q\", \"v\", \"w\"]\n\
+    inputs = [\"F\", \"G\"]\noutputs = [\"p + q/4\", \"q\"]\n\
+    dynamics = { p = \"v\", q = \"w\", v = \"(F - 80*p + 50*q)/2\", w = \"G + 50*(p - q)\" }\n";
+
+#[test]
+fn deadlines_of_plants_with_several_inputs_change() {
+    let folder = support::folder("events_masses");
+    let design = format!("{MASSES}[[event]]\nat = 0.4\ntau = 1.1\n");
+    std::fs::write(folder.join("stage.toml"), design).expect("a file");
+    let mut command = support::command(&["simulate", "stage.toml", "--x0=0.1,-0.2,0.3,0"]);
+    let (code, csv, told) = support::told(command.current_dir(&folder));
+    assert_eq!(code, Some(0), "{told}");
+    let at = |t: f64| -> Vec<f64> {
+        let row =
+            |line: &str| line.split(',').skip(1).take(5).map(|x| x.parse().expect("x")).collect();
+        let mut rows = csv.lines().skip(1).map(row);
+        rows.find(|row: &Vec<f64>| (row[0] - t).abs() < 1e-6).expect("a sample")
+    };
+    assert!(at(1.0)[1].abs() > 1e-4, "{:?}", at(1.0));
+    assert!(at(1.5)[1..].iter().all(|x| x.abs() < 1e-9), "{:?}", at(1.5));
+}
+
+#[test]
+fn wrong_events_of_axes_are_refused() {
+    let folder = support::folder("events_axes_wrong");
+    for (event, message) in [
+        ("move = 1", "move = 1 for 2 axes"),
+        ("move = [1, 2, 3]", "move: 3 numbers for 2 axes"),
+        ("move = [1, inf]", "move = inf is not a finite number"),
+        ("kick = [1]\nfor = 1", "kick: 1 number for 2 axes"),
+    ] {
+        let (code, _, told) =
+            simulate(&folder, &format!("{AXES}[[event]]\nat = 1\n{event}\n"), &[]);
+        assert_eq!(code, Some(2), "{event}: {told}");
+        assert!(told.contains(message) && told.matches("error").count() == 1, "{event}: {told}");
+    }
+}
+
 #[test]
 fn wrong_events_are_refused() {
     let folder = support::folder("events_wrong");

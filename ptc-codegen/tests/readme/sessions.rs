@@ -104,7 +104,8 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("pick.toml"), pick).expect("writable");
     assert_eq!(blocks_of(GUIDE_AXES, "toml"), [GANTRY]);
     assert_eq!(blocks_of(GUIDE_QUADROTOR, "toml"), [QUADROTOR]);
-    let [coupling] = &blocks_of(AXES, "toml")[..] else { panic!("a plant") };
+    let [coupling, hall] = &blocks_of(AXES, "toml")[..] else { panic!("designs") };
+    fs::write(folder.join("hall.toml"), hall).expect("writable");
     fs::write(folder.join("coupled.toml"), format!("{GANTRY}\n{coupling}")).expect("writable");
     fs::write(folder.join("gantry.toml"), GANTRY).expect("writable");
     fs::write(folder.join("quadrotor.toml"), QUADROTOR).expect("writable");

@@ -13,7 +13,9 @@ function [samples, status] = late_stage_soonest(self) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
+%     -4  there is none
 
+samples = uint32(0);
 s1 = self.x1_hat + (0.001 * self.x2_hat);
 s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
 p1 = s2 + (3.3333333333333335e-7 * self.u2);

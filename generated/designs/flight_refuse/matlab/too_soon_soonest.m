@@ -13,7 +13,9 @@ function [samples, status] = too_soon_soonest(self, x) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
+%     -4  there is none
 
+samples = uint32(0);
 x = single(x);
 if ~(isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3)))
     status = int32(-2);

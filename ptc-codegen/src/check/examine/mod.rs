@@ -71,6 +71,10 @@ pub fn examine_expanded(spec: &Spec, expanded: Option<Expanded>) -> Report {
 /// Runs every check on a resolved design.
 pub fn examine_resolved(resolved: Resolved, expanded: Option<Expanded>) -> Report {
     let mut report = judged(resolved, expanded);
+    let looped = report.outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
+    if let Some(looped) = looped.filter(|_| in_samples::open(&report.spec).is_none()) {
+        looped.details.extend(sampled::feasible(&report.spec));
+    }
     resonance::judge(&mut report);
     let looped = report.outcomes.iter_mut().find(|outcome| outcome.name == sampled::NAME);
     if let Some(looped) = looped {

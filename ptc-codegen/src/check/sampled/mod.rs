@@ -48,6 +48,7 @@ mod worst;
 pub use cells::Worst;
 pub(crate) use eps::Candidate;
 pub use eps::{Choice, curve};
+pub(crate) use feasible::feasible;
 #[cfg(feature = "lab")]
 pub use feasible::{FeasibleSet, Outline, Unlimited};
 pub use gating::{Cost, Gating};

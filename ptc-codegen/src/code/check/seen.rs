@@ -18,6 +18,8 @@ pub(super) struct Seen<'a> {
     pub(super) of_gains: bool,
     pub(super) may_change: bool,
     pub(super) changed: bool,
+    /// True if the call may have a status by which it fails.
+    pub(super) failed: bool,
     /// In how many loops it is.
     pub(super) loops: usize,
 }
@@ -53,10 +55,18 @@ impl Seen<'_> {
             }
             Statement::Settle(whose, standing) => {
                 self.status(whose)?;
-                match standing {
-                    Standing::Of(other) => self.status(other),
-                    Standing::Known(_) => Ok(()),
+                let fails = match standing {
+                    Standing::Of(other) => {
+                        self.status(other)?;
+                        true
+                    }
+                    Standing::Known(status) => status.number() < 0,
+                };
+                if !fails || *whose != Whose::Call {
+                    return Ok(());
                 }
+                self.failed = true;
+                self.may_fail()
             }
             Statement::Root(name, tolerance) => {
                 self.expression(tolerance)?;
@@ -69,14 +79,22 @@ impl Seen<'_> {
                     return Err(format!("the field {name} cannot be set here"));
                 }
                 self.changed = true;
-                Ok(())
+                match self.failed {
+                    true => Err(format!("the field {name} is set in a call that may have failed")),
+                    false => Ok(()),
+                }
             }
             Statement::If(test, then, otherwise) => {
                 self.test(test)?;
                 let outer = self.locals.clone();
+                let before = [self.changed, self.failed];
                 self.block(then)?;
                 self.locals.clone_from(&outer);
+                let then = [self.changed, self.failed];
+                [self.changed, self.failed] = before;
                 self.block(otherwise)?;
+                self.changed |= then[0];
+                self.failed |= then[1];
                 self.locals = outer;
                 Ok(())
             }

@@ -19,6 +19,7 @@ pub(crate) use values::Peak;
 use super::Matrix;
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::{BigRational, integer};
+use crate::parameter::Precision;
 use course::whole;
 use span::{Row, Span};
 
@@ -119,6 +120,24 @@ impl Horizon {
     /// Samples to go at and below which the gains are held.
     pub(crate) fn rest(&self) -> u32 {
         self.stretches.last().map_or(0, |stretch| stretch.above)
+    }
+
+    /// Most samples to a deadline that is planned: beyond, numbers leave the range of the precision.
+    pub(crate) fn longest(&self, precision: Precision) -> u32 {
+        const MOST: u32 = 1 << 30;
+        let exponents = self.stretches.iter().map(|stretch| {
+            let course = &stretch.course;
+            course.exponent(course.order() - 1)
+        });
+        let exponent = exponents.max().unwrap_or(1);
+        let digits = match precision {
+            Precision::F64 => 290.0,
+            Precision::F32 => 30.0,
+        };
+        let samples = 10f64.powf(digits / f64::from(exponent));
+        // Single precision holds whole numbers to 2^24.
+        let exact = if precision == Precision::F32 { 1 << 24 } else { MOST };
+        if samples < f64::from(exact) { samples.floor().to_u32().unwrap_or(exact) } else { exact }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{list, word, written};
+use super::{list, rows_word, word, written};
 use crate::algebra::BigRational;
 use crate::linear::{Linear, Schedule};
 use crate::parameter::Parameter;
@@ -29,7 +29,7 @@ impl Spec {
             let poles = format!("--poles-end=\"{}\"", end.law);
             [poles, format!("--end-samples={}", end.samples)]
         }));
-        words.extend(sampled.flight.iter().flat_map(flight_words));
+        words.extend(sampled.flight.iter().flat_map(|flight| self.flight_words(flight)));
         if sampled.linear.is_none() && sampled.measured < self.n {
             let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
             words.push(format!("--measured={}", names.join(",")));
@@ -39,6 +39,25 @@ impl Spec {
         }
         if let Some(observer) = &sampled.observer {
             words.extend(self.observer_words(observer));
+        }
+        words
+    }
+
+    /// The flags of a deadline that may change.
+    fn flight_words(&self, flight: &Flight) -> Vec<String> {
+        let late = (flight.late != Late::Clip).then(|| word("--late", &flight.late.name()));
+        let mut words: Vec<_> = late.into_iter().collect();
+        if words.is_empty() {
+            words.push("--in-flight".to_owned());
+        }
+        words.extend(flight.soonest.then(|| word("--pace", &"soonest")));
+        let own = self.axes.as_ref().map(|axes| &axes.state_max).filter(|rows| !rows.is_empty());
+        words.extend(match own {
+            Some(rows) => Some(rows_word("--state-max", rows.iter().map(Vec::as_slice))),
+            None => list(flight.state_max.iter()).map(|all| word("--state-max", &all)),
+        });
+        if !flight.reserve.is_zero() {
+            words.push(word("--reserve", &constant::text(&flight.reserve)));
         }
         words
     }
@@ -102,21 +121,6 @@ pub(super) fn schedule_words(schedule: &Schedule) -> Vec<String> {
     let poles = LeastEnergy { weight: schedule.weights.law };
     let bytes = schedule.bytes.map(|bytes| format!("--gain-bytes={bytes}"));
     std::iter::once(word("--poles", &poles)).chain(bytes).collect()
-}
-
-/// The flags of a deadline that may change.
-fn flight_words(flight: &Flight) -> Vec<String> {
-    let late = (flight.late != Late::Clip).then(|| word("--late", &flight.late.name()));
-    let mut words: Vec<_> = late.into_iter().collect();
-    if words.is_empty() {
-        words.push("--in-flight".to_owned());
-    }
-    words.extend(flight.soonest.then(|| word("--pace", &"soonest")));
-    words.extend(list(flight.state_max.iter()).map(|all| word("--state-max", &all)));
-    if !flight.reserve.is_zero() {
-        words.push(word("--reserve", &constant::text(&flight.reserve)));
-    }
-    words
 }
 
 /// The flags of a filter, which implies the clock and the mapping.

@@ -28,7 +28,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The values of a key for each axis, where it has such: those of gains and poles are lists.
-    fn each(&self, key: &str) -> &'a [Node] {
+    pub(super) fn each(&self, key: &str) -> &'a [Node] {
         let Some(node) = self.keys.get(key).copied() else { return &[] };
         let is_list = |node: &Node| matches!(node.value, Value::List(_));
         let is_own = match key {
@@ -45,7 +45,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The values of a key for so many axes.
-    fn for_axes(&mut self, key: &'static str, number: usize) -> &'a [Node] {
+    pub(super) fn for_axes(&mut self, key: &'static str, number: usize) -> &'a [Node] {
         let all = self.each(key);
         if all.is_empty() || all.len() == number {
             return all;
@@ -74,6 +74,7 @@ impl<'a> Reader<'a> {
             exponents: Vec::new(),
             limits: Vec::new(),
             lower: Vec::new(),
+            state_max: Vec::new(),
             input_gains: Vec::new(),
             laws,
             references: Vec::new(),
@@ -166,7 +167,7 @@ impl<'a> Reader<'a> {
             return;
         }
         let Some(axes) = &spec.axes else {
-            for key in ["gains", "poles", "limits", "g"] {
+            for key in ["gains", "poles", "limits", "g", "state_max"] {
                 let Some(node) = self.keys.get(key).copied() else { continue };
                 let number = self.each(key).len();
                 // A number of axes that could not be read is a mistake already.

@@ -139,6 +139,17 @@ impl Reader<'_> {
         told: &str,
     ) -> Vec<Fixed> {
         let Some(node) = self.keys.get(key).copied() else { return Vec::new() };
+        self.one_or_each_of((key, node), n, legal, told)
+    }
+
+    /// The same of one value of the key.
+    pub(in crate::request::read) fn one_or_each_of(
+        &mut self,
+        (key, node): (&'static str, &Node),
+        n: Option<usize>,
+        legal: fn(&Node) -> Option<Fixed>,
+        told: &str,
+    ) -> Vec<Fixed> {
         let items = items(node);
         if items.len() != 1 && n.is_some_and(|n| n != items.len()) {
             let n = n.unwrap_or_default();

@@ -1,7 +1,7 @@
 //! The function `step`: u from what is measured, and its status.
 
 use super::super::ends::Ending;
-use super::super::flight::{LAST, NOW, ROUND};
+use super::super::flight::{LAST, ROUND};
 use super::super::model::AtSample;
 use super::Builder;
 use crate::code::{
@@ -37,13 +37,9 @@ impl Builder<'_> {
             body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
         body.extend(self.follow());
-        let samples = &match self.replans() {
-            true => {
-                body.extend(self.replan());
-                Expr::local(NOW)
-            }
-            false => samples.clone(),
-        };
+        let (planned, samples) = self.samples_now(samples);
+        let samples = &samples;
+        body.extend(planned);
         body.extend(self.law(samples));
         if let Some(model) = &mut model {
             let (before, v) = model.input(self);

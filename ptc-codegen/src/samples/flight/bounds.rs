@@ -1,19 +1,21 @@
 //! The tests that a deadline keeps all limits, from the flat coordinates and the samples to go.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Mul, Neg};
 
 use super::super::controller::Builder;
 use super::super::predicted::weighted;
+use super::Chain;
+use super::stretch::Writer;
 use crate::algebra::integer;
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::expression::Function;
-use crate::linear::{Bound, Curve, Horizon, Signal, Stretch};
+use crate::linear::{Bound, Horizon, Signal};
 
 /// The samples to go that are tried.
 pub(super) const TRIED: &str = "tried";
 
-/// 1 if the limits are kept.
-pub(super) const FITS: &str = "fits";
+/// The number of chains, one after the other, whose limits are kept.
+const FITS: &str = "fits";
 
 /// The limits of the signals, as statements have set them.
 pub(super) struct Limits {
@@ -27,7 +29,7 @@ pub(super) struct Limits {
 
 impl Limits {
     /// Tests that a value of a signal is within its limits.
-    fn admit(&self, signal: Signal, value: &Expr) -> Vec<Test> {
+    pub(super) fn admit(&self, signal: Signal, value: &Expr) -> Vec<Test> {
         let [least, most] = match signal {
             Signal::Input => self.input.clone(),
             Signal::State(i) => {
@@ -41,7 +43,7 @@ impl Limits {
     }
 
     /// Tests that the size of a sum is within a share of the limits of its signal.
-    fn admit_size(&self, bound: &Bound, value: Expr) -> Vec<Test> {
+    pub(super) fn admit_size(&self, bound: &Bound, value: Expr) -> Vec<Test> {
         let limit = match bound.signal {
             Signal::Input => self.within.clone(),
             Signal::State(i) => self.states[i].clone(),
@@ -53,8 +55,23 @@ impl Limits {
 }
 
 impl Builder<'_> {
-    /// Statements that set the limits, a part of those of the design: what roundings and the reserve leave.
+    /// The limits of each chain, a part of those of the design: what roundings and the reserve leave; and statements that
+    /// set them. `held` if the samples to go may be those of held gains.
     pub(super) fn plan_limits(
+        &mut self,
+        chains: &[Chain],
+        part: &Expr,
+        held: bool,
+    ) -> (Vec<Statement>, Vec<Limits>) {
+        let each = self.of_each_law(|own| {
+            let chain = chains.iter().find(|chain| chain.output == own.output)?;
+            Some(own.limits_of_chain(&chain.horizon, part, held))
+        });
+        let (body, limits): (Vec<_>, Vec<_>) = each.into_iter().flatten().unzip();
+        (body.concat(), limits)
+    }
+
+    fn limits_of_chain(
         &mut self,
         horizon: &Horizon,
         part: &Expr,
@@ -63,63 +80,82 @@ impl Builder<'_> {
         let offset = self.offset();
         let bounds = self.limits();
         let mut body = Vec::new();
-        let mut named = |name: &str, value: Expr| {
-            body.push(Statement::Let(name.to_owned(), Shape::Real, value));
+        let mut named = |name: String, value: Expr| {
+            body.push(Statement::Let(name.clone(), Shape::Real, value));
             Expr::local(name)
         };
         let scaled = |limit: &Expr| limit.clone().mul(part.clone()).add(offset.clone());
-        let least = bounds.least.as_ref().map(|limit| named("least", scaled(limit)));
-        let most = bounds.most.as_ref().map(|limit| named("most", scaled(limit)));
+        let [least, most, within] = ["least", "most", "within"].map(|name| self.named(name));
+        let least = bounds.least.as_ref().map(|limit| named(least, scaled(limit)));
+        let most = bounds.most.as_ref().map(|limit| named(most, scaled(limit)));
         let within = match (least.clone(), most.clone()) {
             _ if !sizes(horizon, held) => None,
             (Some(least), Some(most)) => {
                 let below = least.neg();
                 let test = Test::Less(below.clone(), most.clone());
-                Some(named("within", Expr::choose(test, below, most)))
+                Some(named(within, Expr::choose(test, below, most)))
             }
             (least, most) => most.or_else(|| least.map(Neg::neg)),
         };
         let states = (0..self.spec.n).map(|i| {
             let bound = self.flight().and_then(|flight| flight.state_max(i)).cloned();
-            bound.map(|bound| {
-                named(&format!("most{}", i + 1), Expr::Number(bound).mul(part.clone()))
-            })
+            let name = self.named(&format!("most{}", i + 1));
+            bound.map(|bound| named(name, Expr::Number(bound).mul(part.clone())))
         });
         let states = states.collect();
         (body, Limits { input: [least, most], within, states })
     }
+}
 
-    /// Statements that set `fits` for so many samples to go; `held` if they may be those of held gains.
-    pub(super) fn fits(
-        &mut self,
-        horizon: &Horizon,
-        flat: &[Expr],
-        limits: &Limits,
-        held: bool,
-    ) -> Vec<Statement> {
-        let tried = || Expr::local(TRIED);
-        let mut all = match held {
-            true => {
-                let row = |bound: &Bound| {
-                    limits.admit_size(bound, weighted(&bound.row, &|i| flat[i].clone()))
-                };
-                settle(horizon.held.iter().flat_map(row).collect())
-            }
-            false => Vec::new(),
-        };
-        for stretch in horizon.stretches.iter().rev() {
-            let own = within(stretch, flat, limits);
-            all = match all.is_empty() {
-                true => own,
-                false => {
-                    let above = Test::CountLess(Expr::Count(stretch.above), tried());
-                    vec![Statement::If(above, own, all)]
-                }
-            };
+/// Statements that set `fits` for the samples to go that are tried; `held` if they may be those of held gains. A chain is
+/// tested only if those before it keep their limits.
+pub(super) fn fits(chains: &[Chain], limits: &[Limits], held: bool) -> Vec<Statement> {
+    let mut body = vec![Statement::Begin(FITS.to_owned(), Shape::Count, Expr::Count(0))];
+    for (before, (chain, limits)) in (0..).zip(chains.iter().zip(limits)) {
+        let tests = tests(chain, limits, held, before);
+        if before == 0 {
+            body.extend(tests);
+        } else {
+            let kept = Test::CountEqual(Expr::local(FITS), Expr::Count(before));
+            body.push(Statement::If(kept, tests, Vec::new()));
         }
-        all.insert(0, Statement::Begin(FITS.to_owned(), Shape::Count, Expr::Count(0)));
-        all
     }
+    body
+}
+
+/// Tests that all chains keep their limits.
+pub(super) fn all_fit(chains: &[Chain]) -> Test {
+    let count = u32::try_from(chains.len()).unwrap_or(u32::MAX);
+    Test::CountEqual(Expr::local(FITS), Expr::Count(count))
+}
+
+/// Statements that add a chain to `fits`, which is the number of those before it.
+fn tests(chain: &Chain, limits: &Limits, held: bool, before: u32) -> Vec<Statement> {
+    let horizon = &chain.horizon;
+    let tried = || Expr::local(TRIED);
+    let mut all = match held {
+        true => {
+            let row = |bound: &Bound| {
+                let value = weighted(&bound.row, &|i| chain.flat[i].clone());
+                limits.admit_size(bound, value)
+            };
+            settle(horizon.held.iter().flat_map(row).collect(), before)
+        }
+        false => Vec::new(),
+    };
+    for stretch in horizon.stretches.iter().rev() {
+        let mut writer = Writer::new(chain.output);
+        let tests = writer.within(stretch, &chain.flat, limits);
+        let own = [writer.body, settle(tests, before)].concat();
+        all = match all.is_empty() {
+            true => own,
+            false => {
+                let above = Test::CountLess(Expr::Count(stretch.above), tried());
+                vec![Statement::If(above, own, all)]
+            }
+        };
+    }
+    all
 }
 
 /// Returns true if u is bounded by its size.
@@ -130,108 +166,8 @@ fn sizes(horizon: &Horizon, held: bool) -> bool {
     by_size.chain(of_held).any(|bound| bound.signal == Signal::Input)
 }
 
-/// The statement that sets `fits` where all tests hold.
-fn settle(tests: Vec<Test>) -> Vec<Statement> {
-    let set = Statement::Set(Place::Local(FITS.to_owned()), Expr::Count(1));
+/// The statement that adds a chain to `fits` where all tests hold.
+fn settle(tests: Vec<Test>, before: u32) -> Vec<Statement> {
+    let set = Statement::Set(Place::Local(FITS.to_owned()), Expr::Count(before + 1));
     vec![Statement::If(Test::All(tests), vec![set], Vec::new())]
-}
-
-/// Statements that set `fits` where the limits are kept from a stretch on.
-fn within(stretch: &Stretch, flat: &[Expr], limits: &Limits) -> Vec<Statement> {
-    let mut body = vec![Statement::Let("m".to_owned(), Shape::Real, Expr::local(TRIED).real())];
-    let weights = weights(stretch, flat, &mut body);
-    let mut tests = Vec::new();
-    let length = Expr::local("m").sub(Expr::integer(i64::from(stretch.above) + 1));
-    body.push(Statement::Let("length".to_owned(), Shape::Real, length));
-    for (curve, letter) in stretch.curves.iter().zip(["b", "s", "v", "a", "j"].iter().cycle()) {
-        for value in coefficients(curve, &weights, letter, &mut body) {
-            tests.extend(limits.admit(curve.signal, &value));
-        }
-    }
-    for bound in &stretch.behind {
-        let value = weighted(&bound.row, &|i| weights[i].clone());
-        // A value of the signal itself has two limits.
-        if bound.share == integer(1) {
-            let name = format!("end{}", body.len());
-            body.push(Statement::Let(name.clone(), Shape::Real, value));
-            tests.extend(limits.admit(bound.signal, &Expr::local(name)));
-        } else {
-            tests.extend(limits.admit_size(bound, value));
-        }
-    }
-    body.extend(settle(tests));
-    body
-}
-
-/// The factors w of the falling powers that give the coordinates, with the statements that set them.
-fn weights(stretch: &Stretch, flat: &[Expr], body: &mut Vec<Statement>) -> Vec<Expr> {
-    let course = &stretch.course;
-    let order = flat.len();
-    let set = |body: &mut Vec<Statement>, name: String, value: Expr| {
-        body.push(Statement::Let(name.clone(), Shape::Real, value));
-        Expr::local(name)
-    };
-    // The falling powers of the samples that the law counts.
-    let mut powers: Vec<Expr> = Vec::new();
-    for q in 0..i64::from(course.exponent(order - 1)) {
-        let factor = Expr::local("m").add(Expr::integer(course.shift() - q));
-        let value = match powers.last() {
-            Some(last) => last.clone().mul(factor),
-            None => factor,
-        };
-        powers.push(set(body, format!("power{}", q + 1), value));
-    }
-    let power = |count: usize| match count.checked_sub(1) {
-        Some(index) => powers[index].clone(),
-        None => Expr::integer(1),
-    };
-    let scaled: Vec<_> = (0..order)
-        .map(|i| match i {
-            0 => flat[0].clone(),
-            i => set(body, format!("scaled{}", i + 1), flat[i].clone().mul(power(i))),
-        })
-        .collect();
-    (0..order)
-        .map(|j| {
-            let sum = weighted(&stretch.amplitudes.rows()[j], &|i| scaled[i].clone());
-            let exponent = usize::try_from(course.exponent(j)).unwrap_or(usize::MAX);
-            set(body, format!("w{}", j + 1), sum.div(power(exponent)))
-        })
-        .collect()
-}
-
-/// The Bernstein coefficients of a signal, with the statements that set them.
-fn coefficients(
-    curve: &Curve,
-    weights: &[Expr],
-    letter: &str,
-    body: &mut Vec<Statement>,
-) -> Vec<Expr> {
-    let mut scale = Expr::integer(1);
-    let mut powers = Vec::new();
-    let last = curve.powers.len() - 1;
-    for (q, factors) in curve.powers.iter().enumerate() {
-        let name = format!("{letter}{q}_c");
-        let value = weighted(factors, &|i| weights[i].clone()).mul(scale.clone());
-        body.push(Statement::Let(name.clone(), Shape::Real, value));
-        powers.push(Expr::local(name));
-        if q < last {
-            let next = scale.mul(Expr::local("length"));
-            scale = match q {
-                0 => next,
-                q => {
-                    let name = format!("{letter}{}_l", q + 1);
-                    body.push(Statement::Let(name.clone(), Shape::Real, next));
-                    Expr::local(name)
-                }
-            };
-        }
-    }
-    let mut all = vec![powers[0].clone()];
-    for (i, row) in curve.bernstein.iter().enumerate().skip(1) {
-        let name = format!("{letter}{i}");
-        body.push(Statement::Let(name.clone(), Shape::Real, weighted(row, &|i| powers[i].clone())));
-        all.push(Expr::local(name));
-    }
-    all
 }

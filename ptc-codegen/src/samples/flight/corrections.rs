@@ -22,6 +22,11 @@ impl Builder<'_> {
     /// The state for which the next input is computed: the argument that holds what of it is not estimated, and
     /// statements that set it.
     pub(super) fn state_of_now(&mut self) -> (Option<Variable>, Vec<Statement>) {
+        if !self.designs.is_empty() {
+            let body = self.finite(self.states_of_axes()).into_iter();
+            let argument = self.argument_of_axes();
+            return (Some(argument), body.chain(self.chains_of_axes()).collect());
+        }
         let real = Shape::Real;
         let measured = self.sampled.measured;
         let observes = self.sampled.observes();

@@ -1,9 +1,9 @@
 //! The functions of the deadline: `arm_for`, `soonest` and `deadline`.
 
 use super::super::controller::Builder;
-use super::bounds::{FITS, TRIED};
+use super::bounds::{TRIED, all_fit, fits};
 use super::search::{KEPT, Search};
-use super::{LAST, ROUND};
+use super::{LAST, ROUND, longest, rest};
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
@@ -67,10 +67,13 @@ impl Builder<'_> {
         }
     }
 
-    /// The fewest samples to a deadline in flight: those in which the law can bring the loop to rest.
-    fn least_deadline(&self) -> u32 {
-        let order = u32::try_from(self.spec.loop_order()).unwrap_or(u32::MAX);
-        order.saturating_add(self.spare())
+    /// The fewest samples to a deadline in flight: those in which every law can bring its loop to rest.
+    fn least_deadline(&mut self) -> u32 {
+        let each = self.of_each_law(|own| {
+            let order = u32::try_from(own.spec.loop_order()).unwrap_or(u32::MAX);
+            order.saturating_add(own.spare())
+        });
+        each.into_iter().max().unwrap_or_default()
     }
 
     /// The samples for which a table has gains.
@@ -83,20 +86,19 @@ impl Builder<'_> {
 
     /// Statements that refuse a deadline of `samples` which might exceed a limit.
     fn required_plan(&mut self) -> Vec<Statement> {
-        let Some(horizon) = self.horizon() else { fault("a deadline without a plan") };
         let spare = self.spare();
-        let (mut body, flat) = self.coordinates();
-        let [_, part] = self.parts(&horizon);
-        let (limits_set, limits) = self.plan_limits(&horizon, &part, false);
+        let (mut body, chains) = self.planned_chains();
+        let [_, part] = self.parts(&chains);
+        let (limits_set, limits) = self.plan_limits(&chains, &part, false);
         body.extend(limits_set);
         let tried = Expr::local("samples").count_left(Expr::Count(spare));
         body.push(Statement::Let(TRIED.to_owned(), Shape::Count, tried));
-        body.extend(self.fits(&horizon, &flat, &limits, false));
-        let longest = self.sampled.longest(&horizon, self.spec.precision);
+        body.extend(fits(&chains, &limits, false));
+        let longest = longest(&chains, self.spec.precision);
         let tests = vec![
-            Test::CountLess(Expr::Count(horizon.rest()), Expr::local(TRIED)),
+            Test::CountLess(Expr::Count(rest(&chains)), Expr::local(TRIED)),
             Test::CountLess(Expr::local(TRIED), Expr::Count(longest + 1)),
-            Test::CountEqual(Expr::local(FITS), Expr::Count(1)),
+            all_fit(&chains),
         ];
         body.push(Statement::Require(Test::All(tests), Status::Soon));
         body
@@ -104,21 +106,17 @@ impl Builder<'_> {
 
     /// `soonest`, where deadlines can be planned.
     pub(super) fn soonest(&mut self) -> Option<Function> {
-        let horizon = self.horizon()?;
-        if !self.has_limits() {
-            return None;
-        }
+        let (coordinates, chains) = self.chains().filter(|(_, chains)| !chains.is_empty())?;
         let (arguments, mut body) = self.state_of_now();
-        let (coordinates, flat) = self.coordinates();
         body.extend(coordinates);
         let search = Search {
-            first: Expr::Count(horizon.rest() + 1),
-            below: Expr::Count(horizon.rest()),
+            first: Expr::Count(rest(&chains) + 1),
+            below: Expr::Count(rest(&chains)),
             held: false,
             keeps_first: false,
         };
-        body.extend(self.search(&horizon, &flat, search));
-        let finite = flat.into_iter().map(Test::Finite).collect();
+        body.extend(self.search(&chains, search));
+        let finite = chains.into_iter().flat_map(|chain| chain.flat).map(Test::Finite).collect();
         let samples = Expr::local(KEPT).count_add(Expr::Count(self.spare()));
         let found = Test::CountLess(Expr::Count(0), Expr::local(KEPT));
         let soon = Finish::choose(
@@ -126,14 +124,16 @@ impl Builder<'_> {
             Finish::give(vec![samples], Status::Ok),
             Finish::Fail(Status::Soon),
         );
-        let from = match self.sampled.observes() {
-            true => "the estimates as they are predicted for the next tick",
-            false => "the state x",
+        let from = match (self.designs, self.sampled.observes()) {
+            ([], true) => "the estimates as they are predicted for the next tick",
+            ([], false) => "the state x",
+            _ => "the state x of each, all of which come to rest at one sample",
         };
+        let law = if self.designs.is_empty() { "law" } else { "law of each axis" };
         Some(Function {
             name: "soonest",
             about: format!(
-                "The fewest samples found, from the next call of `step` on, with which the law keeps u and the states within their limits at every sample to rest, from {from}, for sure. Give them to `arm_for`."
+                "The fewest samples found, from the next call of `step` on, with which the {law} keeps u and the states within their limits at every sample to rest, from {from}, for sure. Give them to `arm_for`."
             ),
             owner: Owner::Controller,
             access: Access::Read,
@@ -145,15 +145,6 @@ impl Builder<'_> {
             finish: Finish::choose(Test::All(finite), soon, Finish::Fail(Status::Range)),
             guarded: self.guarded(),
         })
-    }
-
-    /// Returns true if u or a state has a limit.
-    fn has_limits(&mut self) -> bool {
-        let bounds = self.limits();
-        let flight = self.flight();
-        let of_state =
-            (0..self.spec.n).any(|i| flight.is_some_and(|own| own.state_max(i).is_some()));
-        bounds.least.is_some() || bounds.most.is_some() || of_state
     }
 
     /// `deadline`: the tick at which the loop is to be at rest.

@@ -2,13 +2,12 @@
 
 use super::super::controller::Builder;
 use super::search::{KEPT, Search};
-use super::{AHEAD, LAST};
+use super::{AHEAD, LAST, rest};
 use crate::code::{Expr, Place, Shape, Statement, Test};
-use crate::internal::fault;
 use crate::request::{After, Flight, MAX_SAMPLES};
 
 /// The samples from the start to rest from this step on.
-pub(in crate::samples) const NOW: &str = "last_now";
+const NOW: &str = "last_now";
 
 /// 1 if this step has put its deadline off.
 const LATE: &str = "late";
@@ -22,9 +21,16 @@ impl Builder<'_> {
         self.flight().is_some_and(Flight::replans)
     }
 
+    /// The samples from the start to rest of a step, and statements that set them where it may change them.
+    pub(in crate::samples) fn samples_now(&mut self, samples: &Expr) -> (Vec<Statement>, Expr) {
+        match self.replans() {
+            true => (self.replan(), Expr::local(NOW)),
+            false => (Vec::new(), samples.clone()),
+        }
+    }
+
     /// Statements that set `last_now`, the samples from the start to rest.
-    pub(in crate::samples) fn replan(&mut self) -> Vec<Statement> {
-        let Some(horizon) = self.horizon() else { fault("a deadline without a plan") };
+    fn replan(&mut self) -> Vec<Statement> {
         let spare = self.spare();
         let field = || Expr::field(LAST);
         let elapsed = || Expr::local("elapsed");
@@ -34,11 +40,11 @@ impl Builder<'_> {
         let mut planned = vec![count("to_rest", field().count_left(elapsed()))];
         let ahead = Expr::local("to_rest").count_left(Expr::Count(spare));
         planned.push(count(AHEAD, ahead));
-        let (coordinates, flat) = self.coordinates();
+        let (coordinates, chains) = self.planned_chains();
         planned.extend(coordinates);
-        let below = self.below(horizon.rest(), &mut planned);
+        let below = self.below(rest(&chains), &mut planned);
         let search = Search { first: Expr::local(AHEAD), below, held: true, keeps_first: true };
-        planned.extend(self.search(&horizon, &flat, search));
+        planned.extend(self.search(&chains, search));
         let whole = elapsed().count_add(Expr::local(KEPT)).count_add(Expr::Count(spare));
         let set = vec![Statement::Set(Place::Local(NOW.to_owned()), whole)];
         let changes = match self.flight().is_some_and(|flight| flight.soonest) {

@@ -1,15 +1,17 @@
 //! The search for the soonest deadline: from samples to go that are tried first it doubles until the limits are kept,
-//! and halves the distance to what does not keep them. Each candidate is tested by itself, so that nothing depends on
-//! whether a later deadline is easier to keep.
+//! and halves the distance to what does not keep them. Where a later deadline may not be kept either, it is the distance
+//! from the planned one that grows, by half, so that a deadline shortly behind it is found. Each candidate is tested by itself and for each axis, so that
+//! nothing depends on whether a later deadline is easier to keep.
 
 use num_traits::ToPrimitive;
 
 use super::super::controller::Builder;
-use super::bounds::{FITS, TRIED};
+use super::bounds::{TRIED, all_fit, fits};
+use super::{Chain, longest, rest};
 use crate::algebra::BigRational;
 use crate::code::{Expr, For, Index, Place, Shape, Statement, Test};
 use crate::internal::fault;
-use crate::linear::Horizon;
+use crate::linear::Signal;
 
 /// The samples to go that keep the limits; 0 without any.
 pub(super) const KEPT: &str = "kept";
@@ -32,24 +34,44 @@ pub(super) struct Search {
     pub(super) keeps_first: bool,
 }
 
+/// Returns true if a state has a limit, so that a later deadline may be impossible to keep: what a state moves on the way
+/// grows with the time that it takes.
+fn are_bounded(chains: &[Chain]) -> bool {
+    let mut curves = chains.iter().flat_map(|chain| &chain.horizon.stretches[0].curves);
+    curves.any(|curve| curve.signal != Signal::Input)
+}
+
+/// Statements that set the samples to go that are tried next; `near` if their distance from the first ones grows.
+fn next(search: &Search, near: bool) -> Vec<Statement> {
+    let [low, half] = ["low", "half"].map(Expr::local);
+    let try_at = |more: Expr| {
+        let next = low.clone().count_add(more);
+        vec![Statement::Set(Place::Local(TRIED.to_owned()), next)]
+    };
+    if !near {
+        let doubles = Test::CountLess(low.clone(), half.clone());
+        return vec![Statement::If(doubles, try_at(low.clone()), try_at(half))];
+    }
+    let behind = low.clone().count_left(search.first.clone()).count_over(2);
+    let more = Statement::Let("more".to_owned(), Shape::Count, behind.count_add(Expr::Count(1)));
+    let nothing = Test::CountEqual(Expr::local(KEPT), Expr::Count(0));
+    let grows = nothing.and(Test::CountLess(Expr::local("more"), half.clone()));
+    vec![more, Statement::If(grows, try_at(Expr::local("more")), try_at(half))]
+}
+
 impl Builder<'_> {
     /// Statements that set `kept` from the flat coordinates.
-    pub(super) fn search(
-        &mut self,
-        horizon: &Horizon,
-        flat: &[Expr],
-        search: Search,
-    ) -> Vec<Statement> {
-        let [all, planned] = self.parts(horizon);
-        let longest = self.sampled.longest(horizon, self.spec.precision);
+    pub(super) fn search(&mut self, chains: &[Chain], search: Search) -> Vec<Statement> {
+        let [all, planned] = self.parts(chains);
+        let longest = longest(chains, self.spec.precision);
         let begin = |name: &str, value| Statement::Begin(name.to_owned(), Shape::Count, value);
         let set = |name: &str, value| Statement::Set(Place::Local(name.to_owned()), value);
         let [low, top, tried] = ["low", "top", TRIED].map(Expr::local);
         let mut body = vec![
-            begin("low", search.below),
+            begin("low", search.below.clone()),
             begin("top", Expr::Count(longest + 1)),
             begin(KEPT, Expr::Count(0)),
-            begin(TRIED, search.first),
+            begin(TRIED, search.first.clone()),
         ];
         let part = match search.keeps_first {
             true => {
@@ -58,9 +80,9 @@ impl Builder<'_> {
             }
             false => planned.clone(),
         };
-        let (mut round, limits) = self.plan_limits(horizon, &part, search.held);
-        round.extend(self.fits(horizon, flat, &limits, search.held));
-        let rest = Expr::Count(horizon.rest());
+        let (mut round, limits) = self.plan_limits(chains, &part, search.held);
+        round.extend(fits(chains, &limits, search.held));
+        let rest = Expr::Count(rest(chains));
         let refused = match search.held {
             true => {
                 let above = Test::CountLess(rest.clone(), tried.clone());
@@ -69,12 +91,8 @@ impl Builder<'_> {
             false => vec![set("low", tried.clone())],
         };
         let kept = vec![set(KEPT, tried.clone()), set("top", tried)];
-        round.push(Statement::If(
-            Test::CountEqual(Expr::local(FITS), Expr::Count(1)),
-            kept,
-            refused,
-        ));
-        let gap = top.count_left(low.clone());
+        round.push(Statement::If(all_fit(chains), kept, refused));
+        let gap = top.count_left(low);
         round.push(Statement::Let("gap".to_owned(), Shape::Count, gap));
         let near = Test::CountLess(Expr::local("gap"), Expr::Count(2));
         round.push(Statement::If(near, vec![Statement::Leave], Vec::new()));
@@ -83,10 +101,7 @@ impl Builder<'_> {
             Shape::Count,
             Expr::local("gap").count_over(2),
         ));
-        let half = Expr::local("half");
-        let doubles = Test::CountLess(low.clone(), half.clone());
-        let next = |more: Expr| vec![set(TRIED, low.clone().count_add(more))];
-        round.push(Statement::If(doubles, next(low.clone()), next(half)));
+        round.extend(next(&search, search.keeps_first && are_bounded(chains)));
         if search.keeps_first {
             round.push(set(PART, planned));
         }
@@ -97,8 +112,9 @@ impl Builder<'_> {
 
     /// The parts of the limits that a deadline may take which is to stay, and a new one: half of the slack lies
     /// between, so that a plan is not put off by its own rounding.
-    pub(super) fn parts(&self, horizon: &Horizon) -> [Expr; 2] {
-        let slack = horizon.slack * self.spec.precision.epsilon();
+    pub(super) fn parts(&self, chains: &[Chain]) -> [Expr; 2] {
+        let slack = chains.iter().map(|chain| chain.horizon.slack).fold(0.0, f64::max);
+        let slack = slack * self.spec.precision.epsilon();
         let reserve = self.flight().and_then(|flight| flight.reserve.to_f64()).unwrap_or(0.0);
         [1.0 - slack, (1.0 - 2.0 * slack) * (1.0 - reserve)].map(|part| {
             let exact = BigRational::from_float(part);

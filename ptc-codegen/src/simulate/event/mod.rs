@@ -27,10 +27,17 @@ pub enum Change {
     Arm,
     /// The deadline is so many samples later.
     Deadline(u32),
-    /// The target of x1 moves by this.
-    Target(f64),
+    /// The target of a chain moves.
+    Target {
+        /// The state that counts from it, from 0.
+        state: usize,
+        /// By how much.
+        by: f64,
+    },
     /// A force is added to u for so long, in s.
     Force {
+        /// The input, from 0; `None` for every one.
+        input: Option<usize>,
         /// The force, in units of u.
         size: f64,
         /// The time for which it acts.
@@ -63,8 +70,10 @@ enum Action {
     Arm,
     /// A new deadline after a time in s, counted in samples of a period.
     Deadline(Quantity, f64),
-    Target(Quantity),
+    /// By how much the target of a state moves.
+    Target(usize, Quantity),
     Force {
+        input: Option<usize>,
         size: Quantity,
         length: Quantity,
     },
@@ -128,8 +137,8 @@ impl Action {
     fn quantities(&self) -> Vec<&Quantity> {
         match self {
             Self::Arm => Vec::new(),
-            Self::Deadline(own, _) | Self::Target(own) => vec![own],
-            Self::Force { size, length } => vec![size, length],
+            Self::Deadline(own, _) | Self::Target(_, own) => vec![own],
+            Self::Force { size, length, .. } => vec![size, length],
         }
     }
 
@@ -137,10 +146,10 @@ impl Action {
         match self {
             Self::Arm => Change::Arm,
             Self::Deadline(tau, period) => Change::Deadline(samples(value(tau), *period)),
-            Self::Target(by) => Change::Target(value(by)),
-            Self::Force { size, length } => {
+            Self::Target(state, by) => Change::Target { state: *state, by: value(by) },
+            Self::Force { input, size, length } => {
                 let size = value(size);
-                Change::Force { size, length: value(length) }
+                Change::Force { input: *input, size, length: value(length) }
             }
         }
     }

@@ -10,7 +10,7 @@ const SOONEST: &str = include_str!("../../../../tests/data/soonest.json");
 const H: f64 = 0.01;
 
 /// Share of a limit that roundings may take.
-const ROUNDED: f64 = 1.0 + 1e-9;
+pub(super) const ROUNDED: f64 = 1.0 + 1e-9;
 
 /// Numbers that look random, the same in every run.
 pub(super) struct Draw(pub(super) u64);
@@ -24,7 +24,7 @@ impl Draw {
         low + (high - low) * part
     }
 
-    fn state(&mut self, n: usize, size: f64) -> Vec<f64> {
+    pub(super) fn state(&mut self, n: usize, size: f64) -> Vec<f64> {
         (0..n).map(|_| self.between(-size, size)).collect()
     }
 }
@@ -54,7 +54,7 @@ impl Chain {
         }
     }
 
-    fn size(&self) -> f64 {
+    pub(super) fn size(&self) -> f64 {
         self.x.iter().fold(0.0, |most, x| most.max(x.abs()))
     }
 }
@@ -71,7 +71,7 @@ impl Run {
         Self { own: Instance::new(code, &[]).expect("legal parameters"), given, measured }
     }
 
-    fn call(&mut self, name: &str, given: &[(&str, &[f64])]) -> Status {
+    pub(super) fn call(&mut self, name: &str, given: &[(&str, &[f64])]) -> Status {
         self.own.call(name, given).status
     }
 
@@ -86,19 +86,25 @@ impl Run {
         self.call("arm_for", &[("k", &[f64::from(k)]), ("samples", &[f64::from(samples)])])
     }
 
-    fn deadline(&mut self) -> u32 {
+    pub(super) fn deadline(&mut self) -> u32 {
         count(self.own.call("deadline", &[]).results["k"][0])
     }
 
     pub(super) fn step(&mut self, k: u32, x: &[f64]) -> (f64, Status) {
+        let (u, status) = self.steps(k, x);
+        (u[0], status)
+    }
+
+    /// Every u.
+    pub(super) fn steps(&mut self, k: u32, x: &[f64]) -> (Vec<f64>, Status) {
         let given = [("k", &[f64::from(k)][..]), (self.given, &x[..self.measured])];
         let outcome = self.own.call("step", &given);
-        (outcome.results["u"][0], outcome.status)
+        (outcome.results["u"].clone(), outcome.status)
     }
 }
 
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-fn count(value: f64) -> u32 {
+pub(super) fn count(value: f64) -> u32 {
     value as u32
 }
 
@@ -352,7 +358,23 @@ fn deadlines_without_a_plan_are_refused() {
         (&[("poles", "least-energy"), ("late", "refuse"), ("pace", "soonest")], "another `late`"),
         (&[("poles", "least-energy"), ("late", "extend"), ("reserve", "1")], "not a part"),
         (&[("poles", "least-energy"), ("late", "extend"), ("state_max", "[0, 1]")], "not > 0"),
-        (&[("poles", "least-energy"), ("in_flight", "true"), ("axes", "2")], "axes"),
+        (
+            &[("poles", "least-energy"), ("late", "extend"), ("axes", "2"), ("reference", "input")],
+            "a reference",
+        ),
+        (
+            &[
+                ("poles", "least-energy"),
+                ("late", "extend"),
+                ("axes", "2"),
+                ("state_max", "[[inf, 1]]"),
+            ],
+            "1 value of `state_max` for 2 axes",
+        ),
+        (
+            &[("poles", "least-energy"), ("late", "extend"), ("state_max", "[[inf, 1], [1, 1]]")],
+            "`axes` is not given",
+        ),
     ] {
         let mut keys = base.to_vec();
         keys.retain(|(key, _)| !more.iter().any(|(own, _)| own == key));

@@ -8,6 +8,7 @@ use std::process::{Command, Stdio};
 use ptc_codegen::code::Instance;
 use ptc_codegen::emit::Language;
 use ptc_codegen::generate;
+use ptc_codegen::request::Spec;
 
 use super::flight::Draw;
 use super::read;
@@ -102,6 +103,30 @@ fn interpreted(own: &mut Instance, calls: &[Call]) -> String {
     lines
 }
 
+/// What the emitted C prints with this `main`, compiled by gcc, for the calls in `text`.
+pub(super) fn run(spec: &Spec, main: &str, text: String, name: &str) -> String {
+    let folder = support::folder(name);
+    for file in generate(spec, Language::C).expect("a legal design") {
+        std::fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    std::fs::write(folder.join("main.c"), main).expect("a file");
+    let built = Command::new("gcc")
+        .args(["-std=c99", "-O2", "-ffp-contract=off", "-o", "run", "main.c", "own.c", "-lm"])
+        .current_dir(&folder)
+        .status();
+    assert!(built.expect("gcc").success());
+    let mut run = Command::new(folder.join("run"))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("a program");
+    let mut given = run.stdin.take().expect("a pipe");
+    let writer = std::thread::spawn(move || given.write_all(text.as_bytes()).expect("a pipe"));
+    let output = run.wait_with_output().expect("an end");
+    writer.join().expect("all written");
+    String::from_utf8(output.stdout).expect("text")
+}
+
 #[test]
 fn c_gives_the_bits_of_the_interpreter() {
     for late in ["extend", "clip"] {
@@ -126,35 +151,16 @@ fn c_gives_the_bits_of_the_interpreter() {
             ("in_flight", "true"),
         ];
         let spec = read(&keys).expect("a legal design");
-        let folder = support::folder(&format!("flight_in_c_{late}"));
-        for file in generate(&spec, Language::C).expect("a legal design") {
-            std::fs::write(folder.join(file.name), file.text).expect("a file");
-        }
-        std::fs::write(folder.join("main.c"), MAIN).expect("a file");
-        let built = Command::new("gcc")
-            .args(["-std=c99", "-O2", "-ffp-contract=off", "-o", "run", "main.c", "own.c", "-lm"])
-            .current_dir(&folder)
-            .status();
-        assert!(built.expect("gcc").success());
         let calls = calls(&mut Draw(5));
         let mut text = String::new();
         for (letter, _, [a, b]) in &calls {
             let _ = writeln!(text, "{letter} {:x} {:x}", a.to_bits(), b.to_bits());
         }
-        let mut run = Command::new(folder.join("run"))
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .expect("a program");
-        let mut given = run.stdin.take().expect("a pipe");
-        let writer = std::thread::spawn(move || given.write_all(text.as_bytes()).expect("a pipe"));
-        let output = run.wait_with_output().expect("an end");
-        writer.join().expect("all written");
+        let found = run(&spec, MAIN, text, &format!("flight_in_c_{late}"));
         let sampled = spec.sampled().expect("a clock in samples");
         let code = ptc_codegen::samples::controller(&spec, sampled, Vec::new());
         let mut own = Instance::new(&code, &[]).expect("legal parameters");
         let wanted = interpreted(&mut own, &calls);
-        let found = String::from_utf8(output.stdout).expect("text");
         for (i, (found, wanted)) in found.lines().zip(wanted.lines()).enumerate() {
             assert_eq!(found, wanted, "{late}: call {i}, {:?}", calls[i]);
         }

@@ -5,6 +5,8 @@ mod calls;
 mod feasible;
 mod filter;
 mod flight;
+mod flight_axes;
+mod flight_axes_in_c;
 mod flight_in_c;
 mod followed;
 mod least_energy;

@@ -42,10 +42,23 @@ pub struct Unlimited {
 
 /// Returns sentences about the deadlines that the limits allow, with exact sensors and no other force. Empty if the law has
 /// no bounds in closed form, or u no limit.
-pub(super) fn feasible(spec: &Spec) -> Vec<String> {
-    let Ok(loop_of) = Limited::new(spec) else { return Vec::new() };
-    let mut all: Vec<_> = loop_of.largest().into_iter().collect();
-    all.extend(loop_of.soonest());
+pub(crate) fn feasible(spec: &Spec) -> Vec<String> {
+    let designs = spec.designs();
+    let Ok(chains) = designs.iter().map(Limited::new).collect::<Result<Vec<_>, _>>() else {
+        return Vec::new();
+    };
+    if let [one] = chains.as_slice() {
+        return one.largest().into_iter().chain(soonest(&chains, "the limits")).collect();
+    }
+    let of_axis =
+        |(axis, own): (usize, &Limited<'_>)| Some(format!("axis {axis}: {}", own.largest()?));
+    let mut all: Vec<_> = (1..).zip(&chains).filter_map(of_axis).collect();
+    if let Some(together) = soonest(&chains, "the limits of all axes") {
+        let alone =
+            |own: &Limited<'_>| Some(digits_up(own.tau(earliest(std::slice::from_ref(own))?)?));
+        let alone: Vec<_> = chains.iter().filter_map(alone).collect();
+        all.push(format!("{together}; of each axis alone {}", alone.join(", ")));
+    }
     all
 }
 
@@ -84,7 +97,7 @@ impl<'a> Limited<'a> {
                 help: "give limits of u on both sides of -f/g",
             });
         }
-        let longest = sampled.longest(&horizon, spec.precision);
+        let longest = horizon.longest(spec.precision);
         Ok(Self { spec, sampled, horizon, units, spare: ending.spare, longest, input })
     }
 
@@ -159,50 +172,66 @@ impl<'a> Limited<'a> {
         })
     }
 
-    /// The soonest deadline from every state of the box of the start.
-    fn soonest(&self) -> Option<String> {
-        let bounds = &self.spec.promises.x0_max;
-        let most: Vec<f64> = bounds.iter().filter_map(|own| own.number()?.to_f64()).collect();
-        if most.len() != self.spec.n || most.iter().all(|own| *own == 0.0) {
-            return None;
-        }
-        let found = self.search(&mut |left| self.keeps(&most, left))?;
-        let tau = digits_up(self.tau(found)?);
-        let is_kept = self.samples().is_none_or(|own| {
-            own >= found + self.spare
-                || own.checked_sub(self.spare).is_some_and(|left| self.keeps(&most, left))
-        });
-        Some(match (is_kept, self.flight().map(|own| own.late)) {
-            (true, _) => {
-                format!("the soonest tau found that keeps the limits from all of x0_max is {tau}")
-            }
-            (false, Some(Late::Extend)) => format!(
-                "tau is too soon for the limits from a part of x0_max: the deadline is put off then; {tau} keeps them from all of it"
-            ),
-            (false, _) => format!(
-                "tau is too soon for the limits from a part of x0_max: the soonest one found is {tau}"
-            ),
-        })
-    }
-
-    /// Returns the fewest samples to go with which the limits are kept, found by doubling and halving, as the controller
-    /// searches them.
+    /// Returns the fewest samples to go with which the limits are kept.
+    #[cfg(feature = "lab")]
     fn search(&self, keeps: &mut dyn FnMut(u32) -> bool) -> Option<u32> {
-        let mut low = self.horizon.rest();
-        let mut top = low + 1;
-        while !keeps(top) {
-            low = top;
-            top = top.checked_mul(2).filter(|top| *top <= self.longest)?;
-        }
-        while top - low > 1 {
-            let middle = low + (top - low) / 2;
-            match keeps(middle) {
-                true => top = middle,
-                false => low = middle,
-            }
-        }
-        Some(top)
+        search(self.horizon.rest(), self.longest, keeps)
     }
+}
+
+/// Bounds of the states at the start, if some of them is not 0.
+fn start(spec: &Spec) -> Option<Vec<f64>> {
+    let bounds = &spec.promises.x0_max;
+    let most: Vec<f64> = bounds.iter().filter_map(|own| own.number()?.to_f64()).collect();
+    (most.len() == spec.n && most.iter().any(|own| *own != 0.0)).then_some(most)
+}
+
+/// The fewest samples to go in which all chains keep their limits from every state of the box of the start.
+fn earliest(chains: &[Limited<'_>]) -> Option<u32> {
+    let most = start(chains.first()?.spec)?;
+    let rest = chains.iter().map(|chain| chain.horizon.rest()).max()?;
+    let longest = chains.iter().map(|chain| chain.longest).min()?;
+    search(rest, longest, &mut |left| chains.iter().all(|chain| chain.keeps(&most, left)))
+}
+
+/// The soonest deadline from every state of the box of the start, of chains that come to rest together.
+fn soonest(chains: &[Limited<'_>], limits: &str) -> Option<String> {
+    let (first, found) = (chains.first()?, earliest(chains)?);
+    let (most, tau) = (start(first.spec)?, digits_up(first.tau(found)?));
+    let given = first.samples().map(|own| own.saturating_sub(first.spare));
+    let kept = given.is_none_or(|left| chains.iter().all(|chain| chain.keeps(&most, left)));
+    Some(match (kept, first.flight().map(|own| own.late)) {
+        (true, _) => {
+            format!("the soonest tau found that keeps {limits} from all of x0_max is {tau}")
+        }
+        (false, _) if given.is_some_and(|left| left > found) => format!(
+            "tau does not keep {limits} from all of x0_max, and the soonest one found that does is {tau}"
+        ),
+        (false, Some(Late::Extend)) => format!(
+            "tau is too soon for {limits} from a part of x0_max: the deadline is put off then; {tau} keeps them from all of it"
+        ),
+        (false, _) => format!(
+            "tau is too soon for {limits} from a part of x0_max: the soonest one found is {tau}"
+        ),
+    })
+}
+
+/// Returns the fewest samples to go above `rest` that are found by doubling and halving, as the controller searches them.
+fn search(rest: u32, longest: u32, keeps: &mut dyn FnMut(u32) -> bool) -> Option<u32> {
+    let mut low = rest;
+    let mut top = low + 1;
+    while !keeps(top) {
+        low = top;
+        top = top.checked_mul(2).filter(|top| *top <= longest)?;
+    }
+    while top - low > 1 {
+        let middle = low + (top - low) / 2;
+        match keeps(middle) {
+            true => top = middle,
+            false => low = middle,
+        }
+    }
+    Some(top)
 }
 
 /// Returns the known force that the law cancels, in units of u; `None` where it is left to run time.

@@ -11,7 +11,6 @@ pub(super) use gate::closed;
 use super::cells::Worst;
 use super::compared::compared;
 use super::eps::Candidate;
-use super::feasible::feasible;
 use super::followed::Followed;
 use super::judge::Loop;
 use super::peaks::peaks;
@@ -40,7 +39,6 @@ pub(crate) const NAME: &str = "loop";
 pub(crate) fn outcome(spec: &Spec, expanded: Option<&Expanded>) -> (Outcome, Option<Worst>) {
     let (mut outcome, worst) = outcome_of(spec, expanded, true);
     outcome.details.extend(compared(spec, expanded));
-    outcome.details.extend(feasible(spec));
     (outcome, worst)
 }
 

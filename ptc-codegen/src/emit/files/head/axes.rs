@@ -38,7 +38,8 @@ pub(super) fn lines(spec: &Spec) -> Vec<String> {
             None => format!("u_max = {limit}"),
         });
         let gain = axes.input_gains.get(index).map(|g| format!("g = {g}"));
-        let own: Vec<_> = [gains, limit, gain].into_iter().flatten().collect();
+        let bound = axes.state_max.get(index).map(|most| format!("state_max = {}", list(most)));
+        let own: Vec<_> = [gains, limit, bound, gain].into_iter().flatten().collect();
         if !own.is_empty() {
             lines.push(format!("  {each} {}: {}", index + 1, own.join("; ")));
         }

@@ -9,17 +9,21 @@ use crate::syntax::constant;
 /// Describes what may change in flight, and the theorem from which deadlines are planned.
 pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
     let Some(flight) = &sampled.flight else { return Vec::new() };
-    let mut lines = vec![
-        "In flight: arm_for sets another deadline at any tick; rest is exact from any state, so all else stays as it is."
-            .to_owned(),
-    ];
-    if sampled.horizon(spec).is_none() {
+    let exact = match spec.model.is_some() || spec.coupled.is_some() && sampled.exact.is_none() {
+        true => "",
+        false => "; rest is exact from any state, so all else stays as it is",
+    };
+    let mut lines = vec![format!("In flight: arm_for sets another deadline at any tick{exact}.")];
+    if sampled.horizons(spec).is_none() {
         return lines;
     }
     lines.push(format!(
         "Plan: on the way to rest u and the states are sums of falling powers of the samples to go, so their Bernstein coefficients, linear in z, bound them. If these are within the limits, u{} stay there at every sample to rest, where plant and state are as they are known.",
-        states(flight)
+        states(spec, flight)
     ));
+    if spec.axes.is_some() {
+        lines.push("Axes: all come to rest at the same sample, and each deadline is tested for every one of them.".to_owned());
+    }
     lines.extend(match flight.late {
         Late::Clip => None,
         Late::Refuse => Some("late refuse: arm_for refuses a deadline without such a plan (status E_SOON).".to_owned()),
@@ -38,7 +42,10 @@ pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
 }
 
 /// The bounds of the states, behind `u`.
-fn states(flight: &Flight) -> String {
+fn states(spec: &Spec, flight: &Flight) -> String {
+    if spec.axes.as_ref().is_some_and(|axes| !axes.state_max.is_empty()) {
+        return " and the states".to_owned();
+    }
     let bound = |(i, own): (usize, &Fixed)| own.number().map(|_| format!("|x{}| <= {own}", i + 1));
     let all: Vec<_> = flight.state_max.iter().enumerate().filter_map(bound).collect();
     match all.as_slice() {

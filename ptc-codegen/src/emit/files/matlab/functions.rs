@@ -108,6 +108,9 @@ impl Matlab<'_> {
             Some(Shape::Reals(n)) if self.has_status() => {
                 self.out.line(format!("{} = zeros({n}, 1, '{real}');", self.result));
             }
+            Some(Shape::Count) if self.has_status() => {
+                self.out.line(format!("{} = uint32(0);", self.result));
+            }
             Some(Shape::Gains) => self.no_gains(),
             _ => {}
         }
@@ -205,6 +208,9 @@ impl Matlab<'_> {
             if self.code.is_filter() {
                 self.out.line(INFEASIBLE);
             }
+        }
+        if self.gives == Gives::Count && self.has_status() {
+            self.out.line("%     -4  there is none");
         }
         self.out.line("");
     }

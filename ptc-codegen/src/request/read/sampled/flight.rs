@@ -6,7 +6,7 @@ use crate::algebra::BigRational;
 use crate::expression::constant::real;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::{Reader, shown};
-use crate::request::{Flight, Late, Reference, Sampled, Spec, What};
+use crate::request::{Clock, Flight, Late, Reference, Sampled, Spec, What};
 use crate::syntax::Node;
 
 /// Roundings over a limit at which a plan is worth nothing.
@@ -14,7 +14,7 @@ const MOST_SLACK: f64 = 0.01;
 
 impl Reader<'_> {
     /// Reads the changes that are possible while the controller runs, if any are.
-    pub(super) fn flight(&mut self, spec: &Spec) -> Option<Flight> {
+    pub(super) fn flight(&mut self, spec: &mut Spec) -> Option<Flight> {
         let given = |key: &&str| self.keys.contains_key(*key);
         let key = ["late", "pace", "in_flight"].into_iter().find(given);
         let alone = ["state_max", "reserve"].into_iter().find(given);
@@ -43,12 +43,13 @@ impl Reader<'_> {
         if spec.what == What::Observer {
             return None;
         }
-        let several = spec.model.is_some() || spec.coupled.is_some() || spec.axes.is_some();
-        if several {
+        let planned = if late == Late::Clip { alone } else { Some(key) };
+        if let Some(key) = planned.filter(|_| spec.model.is_some() || spec.coupled.is_some()) {
             let place = self.keys.get(key).map(|node| node.place);
-            let message = format!("`{key}` beside a model, several inputs or axes");
-            let help = "deadlines change for one chain, or one plant A, B: leave it out, or make a controller for each axis";
+            let message = format!("`{key}` beside a model, or a plant with several inputs");
+            let help = "deadlines are planned for chains, one or `axes` of them; `in_flight` = true lets this one change, without a plan";
             self.wrong(key, place, message, help.to_owned());
+            return None;
         }
         if let Some(Reference::Known(_)) = spec.reference {
             let place = self.keys.get(key).map(|node| node.place);
@@ -56,7 +57,7 @@ impl Reader<'_> {
             let help = "give each call the reference: reference = input".to_owned();
             self.wrong(key, place, message, help);
         }
-        let state_max = self.state_max(spec.n);
+        let state_max = self.state_max(spec);
         let reserve = self.reserve();
         Some(Flight { late, soonest, state_max, reserve })
     }
@@ -68,20 +69,32 @@ impl Reader<'_> {
         let key = keys.into_iter().find(|key| self.keys.contains_key(key));
         let key = key.filter(|key| *key != "late" || flight.late != Late::Clip);
         let (Some(key), true) = (key, self.found.is_empty()) else { return };
-        if let Some((message, help)) = unplanned(spec, sampled, flight) {
+        let read = Spec { clock: Clock::Samples(Box::new(sampled.clone())), ..spec.clone() };
+        if let Some((message, help)) = unplanned(&read, sampled) {
             let place = self.keys.get(key).map(|node| node.place);
             self.wrong(key, place, format!("`{key}` {message}"), help.to_owned());
         }
     }
 
-    /// Bounds of the states; on failure, records a diagnostic.
-    fn state_max(&mut self, n: usize) -> Vec<Fixed> {
+    /// Bounds of the states, those of the first axis where each has its own; on failure, records a diagnostic.
+    fn state_max(&mut self, spec: &mut Spec) -> Vec<Fixed> {
+        let Some(node) = self.keys.get("state_max").copied() else { return Vec::new() };
+        let n = spec.n;
+        let Some(axes) = spec.axes.as_mut().filter(|_| !self.each("state_max").is_empty()) else {
+            return self.bounds_of_states(n, self.first("state_max", node));
+        };
+        let rows = self.for_axes("state_max", axes.count).iter();
+        axes.state_max = rows.map(|row| self.bounds_of_states(n, row)).collect();
+        axes.state_max.first().cloned().unwrap_or_default()
+    }
+
+    fn bounds_of_states(&mut self, n: usize, node: &Node) -> Vec<Fixed> {
         let legal = |node: &Node| {
             let value = real(node)?;
             let positive = value.number().is_none_or(BigRational::is_positive);
             (positive && value != Fixed::MinusInfinite).then_some(value)
         };
-        let all = self.one_or_each("state_max", Some(n), legal, "> 0, or inf");
+        let all = self.one_or_each_of(("state_max", node), Some(n), legal, "> 0, or inf");
         match all.as_slice() {
             [one] if n > 1 => vec![one.clone(); n],
             _ => all,
@@ -103,11 +116,7 @@ impl Reader<'_> {
 }
 
 /// Returns the reason why no deadline is planned, and the likely fix.
-fn unplanned(
-    spec: &Spec,
-    sampled: &Sampled,
-    flight: &Flight,
-) -> Option<(&'static str, &'static str)> {
+fn unplanned(spec: &Spec, sampled: &Sampled) -> Option<(&'static str, &'static str)> {
     let is_open = |p: Parameter| !spec.fixed.contains_key(&p);
     if sampled.linear.is_some() {
         return Some((
@@ -127,18 +136,17 @@ fn unplanned(
             "give `sample_time` and `eps` numbers: the bounds of u are made when the code is generated",
         ));
     }
-    let unlimited = spec.fixed.get(&Parameter::UMax) == Some(&Fixed::Infinite)
-        && spec.fixed.get(&Parameter::UMin).is_none_or(|least| *least == Fixed::MinusInfinite);
-    if unlimited && (0..spec.n).all(|i| flight.state_max(i).is_none()) {
+    if spec.designs().iter().all(is_unlimited) {
         return Some(("without a limit", "give `u_max`, or `state_max` of a state"));
     }
-    let Some(horizon) = sampled.horizon(spec) else {
+    let Some(horizons) = sampled.horizons(spec) else {
         return Some((
             "beside a law whose u has no closed form to its end",
             "take poles = \"least-energy\", or poles that are consecutive multiples of -a from the order of the loop on, and a shorter eps",
         ));
     };
-    let rounding = horizon.slack * spec.precision.epsilon();
+    let slack = horizons.iter().map(|horizon| horizon.slack).fold(0.0, f64::max);
+    let rounding = slack * spec.precision.epsilon();
     if !rounding.to_f64().is_some_and(|rounding| rounding < MOST_SLACK) {
         return Some((
             "at this order and precision: rounding takes more than 1 % of the limits",
@@ -146,4 +154,12 @@ fn unplanned(
         ));
     }
     None
+}
+
+/// Returns true if neither u nor a state of a chain has a limit.
+fn is_unlimited(spec: &Spec) -> bool {
+    let flight = spec.sampled().and_then(|own| own.flight.as_ref());
+    spec.fixed.get(&Parameter::UMax) == Some(&Fixed::Infinite)
+        && spec.fixed.get(&Parameter::UMin).is_none_or(|least| *least == Fixed::MinusInfinite)
+        && (0..spec.n).all(|i| flight.is_none_or(|own| own.state_max(i).is_none()))
 }

@@ -1,5 +1,7 @@
 //! The reader of the tables `[[event]]`.
 
+mod each;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::ToPrimitive;
@@ -137,9 +139,21 @@ impl Reader<'_> {
         table: Table<'_>,
         key: &str,
         given: &Given<'_>,
+        legal: Legal,
+    ) -> Option<Quantity> {
+        let name = format!("{TABLE}{}_{key}", table.number);
+        self.quantity_of(table, key, given.get(key)?, name, legal)
+    }
+
+    /// The same of one value of the key.
+    fn quantity_of(
+        &mut self,
+        table: Table<'_>,
+        key: &str,
+        node: &Node,
+        name: String,
         (legal, wanted): Legal,
     ) -> Option<Quantity> {
-        let node = given.get(key)?;
         let text = shorten(&node.value.to_string());
         let (message, help) = match interval(node) {
             Some((low, high)) if low < high && !self.draws => (
@@ -150,10 +164,7 @@ impl Reader<'_> {
                 format!("the interval of {key} is empty: {low} > {high}"),
                 "an interval is [lower, upper]".to_owned(),
             ),
-            Some((low, high)) if legal(low) => {
-                let name = format!("{TABLE}{}_{key}", table.number);
-                return Some(Quantity { name, low, high });
-            }
+            Some((low, high)) if legal(low) => return Some(Quantity { name, low, high }),
             None if matches!(node.value, Value::List(_)) => (
                 format!("{key} = {text} is not an interval"),
                 "an interval is [lower, upper] of finite numbers".to_owned(),
@@ -172,17 +183,6 @@ impl Reader<'_> {
             self.found.push("conflict", key, Some(node.place), message, help.to_owned());
         }
         has
-    }
-
-    fn target(&mut self, table: Table<'_>, given: &Given<'_>) -> Option<Action> {
-        let node = given.get("move")?;
-        let by = self.quantity(table, "move", given, ANY)?;
-        let chain = self.spec.sampled().is_none_or(|own| own.linear.is_none())
-            && !self.spec.has_model()
-            && self.spec.axes.is_none()
-            && self.spec.larger.is_none();
-        let help = "a target moves along a chain, whose x1 counts from it";
-        self.needs(table.key, "move", node, chain, help).then_some(Action::Target(by))
     }
 
     fn armed(&mut self, table: &str, given: &Given<'_>) -> Option<Action> {
@@ -214,24 +214,5 @@ impl Reader<'_> {
         let help = "give at least one sample, and at most 2^31";
         let is_legal = legal(tau.low) && legal(tau.high);
         self.needs(table.key, "tau", node, is_legal, help).then_some(Action::Deadline(tau, period))
-    }
-
-    fn force(&mut self, table: Table<'_>, given: &Given<'_>) -> Option<Action> {
-        let (kick, length) = (given.get("kick"), given.get("for"));
-        let (node, key) = match (kick, length) {
-            (Some(_), Some(_)) => {
-                let size = self.quantity(table, "kick", given, ANY);
-                let length = self.quantity(table, "for", given, TIME);
-                return Some(Action::Force { size: size?, length: length? });
-            }
-            (Some(node), None) => (node, "kick"),
-            (None, Some(node)) => (node, "for"),
-            (None, None) => return None,
-        };
-        let message = "`kick` and `for` belong together".to_owned();
-        let help = "give both: kick = 2 and for = 0.01 add 2 to u for 10 ms".to_owned();
-        let key = format!("{}.{key}", table.key);
-        self.found.push("conflict", key, Some(node.place), message, help);
-        None
     }
 }
