@@ -14,7 +14,7 @@ pub struct Group {
 }
 
 /// All groups, in the order in which they are listed.
-pub static GROUPS: [Group; 7] = [
+pub static GROUPS: [Group; 6] = [
     Group {
         title: "Code",
         common: &["name", "precision"],
@@ -48,6 +48,10 @@ pub static GROUPS: [Group; 7] = [
             "state_max",
             "reserve",
             "in_flight",
+            "keep_below",
+            "keep_above",
+            "keep_poles",
+            "keep_tolerance",
         ],
     },
     Group {
@@ -67,11 +71,6 @@ pub static GROUPS: [Group; 7] = [
             "measurement_max",
             "coast",
         ],
-    },
-    Group {
-        title: "Filter",
-        common: &["keep_below", "keep_above", "keep_poles"],
-        rare: &["keep_tolerance"],
     },
     Group {
         title: "Checks",
