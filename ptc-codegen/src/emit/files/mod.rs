@@ -177,19 +177,6 @@ pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Ve
     printed(language, report, |language| program_in_samples(report, language))
 }
 
-/// Refuses deadlines that change in flight in a host that calls `step` alone.
-fn refuse_flight(spec: &Spec, host: &str, found: &mut Diagnostics) {
-    let Some(flight) = spec.sampled().and_then(|own| own.flight.as_ref()) else { return };
-    let key = if flight.late == Late::Clip { "in_flight" } else { "late" };
-    found.push(
-        "unsupported",
-        key,
-        None,
-        format!("a deadline that changes in flight is not emitted in {host} yet"),
-        format!("leave `{key}` out, or emit C without contracts, C++, Rust, Python or MATLAB"),
-    );
-}
-
 /// Notes that a language, called `name`, has no fused multiply-add.
 fn refuse_fma(spec: &Spec, name: &str, found: &mut Diagnostics) {
     if spec.fma {
@@ -251,9 +238,14 @@ pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
 /// # Errors
 /// A deadline that changes in flight, which has no contracts.
 pub fn emit_sampled_with_proof(spec: &Spec, code: &Code) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let mut found = Diagnostics::default();
-    refuse_flight(spec, "C with contracts", &mut found);
-    found.finish(Some(()))?;
+    if let Some(flight) = spec.sampled().and_then(|own| own.flight.as_ref()) {
+        let mut found = Diagnostics::default();
+        let key = if flight.late == Late::Clip { "in_flight" } else { "late" };
+        let message = "a deadline that changes in flight has no contracts yet";
+        let help = format!("leave `{key}` out, or emit C without contracts");
+        found.push("unsupported", key, None, message, help);
+        found.finish(Some(()))?;
+    }
     Ok(c::sampled_files_with_proof(spec, code))
 }
 

@@ -13,7 +13,7 @@ use askama::Template;
 
 use super::c::{Notes, files as c, refuse_macros};
 use super::example::Example;
-use super::{File, Language, Print, Target, refuse_flight, stands_alone, text_of, tidy};
+use super::{File, Language, Print, Target, stands_alone, text_of, tidy};
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::diagnostic::Diagnostics;
@@ -92,9 +92,6 @@ pub(super) const TARGET_3: Target = Target {
 
 fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
     refuse_macros(spec, found);
-    if spec.axes.is_some() {
-        refuse_flight(spec, "an FMU of several inputs", found);
-    }
     stands_alone(spec, "an FMU", found);
     let signals = Signals::of(spec);
     for parameter in spec.parameters() {

@@ -41,7 +41,7 @@ impl Steering {
         let mut steering = Self {
             inputs: Vec::new(),
             switches: Vec::new(),
-            target: sampled.linear.is_none() && !spec.has_model() && spec.reference.is_none(),
+            target: is_chain(spec),
             moves: code.function("move").is_some(),
             judges: takes_state(&code, "arm_for"),
             applied: code.function("applied").is_some(),
@@ -91,6 +91,12 @@ impl Steering {
     }
 }
 
+/// Returns true for one chain of which x1 is a place.
+fn is_chain(spec: &Spec) -> bool {
+    let linear = spec.sampled().is_some_and(|own| own.linear.is_some());
+    !linear && !spec.has_model() && spec.axes.is_none() && spec.reference.is_none()
+}
+
 /// The length of the array that a function is given.
 fn length(function: &Function) -> usize {
     match function.arguments.first().map(|argument| argument.shape) {
@@ -101,5 +107,5 @@ fn length(function: &Function) -> usize {
 
 fn takes_state(code: &Code, name: &str) -> bool {
     let arguments = code.function(name).map(|function| &function.arguments);
-    arguments.is_some_and(|all| all.iter().any(|own| matches!(own.shape, Shape::Reals(_))))
+    arguments.is_some_and(|all| all.iter().any(|own| own.shape.length().is_some()))
 }

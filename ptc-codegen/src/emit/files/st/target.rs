@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::literal::through_double;
-use super::super::{File, Language, Print, Target, names, refuse_flight, refuse_fma};
+use super::super::{File, Language, Print, Target, names, refuse_fma};
 use crate::diagnostic::Diagnostics;
 use crate::expression::{Expression, Function, Node, Subject};
 use crate::parameter::{Parameter, Precision};
@@ -42,9 +42,6 @@ pub(in crate::emit) fn is_word(word: &str) -> bool {
 
 fn refuse(spec: &Spec, program: Option<&Program>, found: &mut Diagnostics) {
     refuse_fma(spec, "Structured Text", found);
-    if spec.axes.is_some() {
-        refuse_flight(spec, "Structured Text of several axes", found);
-    }
     if spec.what == What::Associated {
         found.push(
             "unsupported",
