@@ -20,7 +20,7 @@ pub enum Status {
     /// The deadline was put off to the soonest one that keeps the limits, as one of them would have been exceeded.
     Late,
     /// The bounds of a filter, `what = filter`, cannot be kept from this state, or not all of them: u is the nearest to
-    /// them that its limits allow.
+    /// them that its limits allow. Or no deadline in flight was found that keeps the limits: the deadline stays.
     Infeasible,
 }
 

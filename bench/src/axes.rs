@@ -47,6 +47,7 @@ pub(crate) fn measure() -> Result<Vec<Step>> {
                 exponents: Vec::new(),
                 limits: Vec::new(),
                 lower: Vec::new(),
+                state_max: Vec::new(),
                 input_gains: Vec::new(),
                 laws: Vec::new(),
                 references: Vec::new(),

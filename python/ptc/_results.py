@@ -28,6 +28,8 @@ class Status(IntEnum):
     """A reading was not believed: u by prediction alone."""
     LATE = 5
     """The deadline was put off, as a limit would have been exceeded."""
+    INFEASIBLE = 6
+    """Nothing is known from here that keeps all limits or bounds; u is valid."""
     PARAM = -1
     """A parameter is outside its domain."""
     INPUT = -2

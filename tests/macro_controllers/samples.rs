@@ -350,8 +350,8 @@ fn deadlines_change_in_flight() {
     assert_eq!(late.soonest(), Err(ptc::Error::Soon), "beyond its bound");
 }
 
-ptc::controller!(
-    LateAxes,
+ptc::ptc_controller!(
+    name = LateAxes,
     n = 2,
     axes = 2,
     mu = exp(a = 1),

@@ -11,8 +11,8 @@ pub struct Inputs {
     pub limits: Vec<Bounds>,
     /// Tests if the call tracks; otherwise the gains are held.
     pub tracks: Test,
-    /// Tests if the call has put its deadline off, where it may.
-    pub late: Option<Test>,
+    /// Tests of a call that tracks, and its status where one holds.
+    pub planned: Vec<(Test, Status)>,
     /// Statements of a call that does not fail.
     pub changes: Vec<Statement>,
 }
@@ -74,8 +74,8 @@ impl Inputs {
         refused.push(settle(Whose::Call, Status::Range));
         let [mut tracking, held] =
             [Status::Ok, Status::Hold].map(|status| vec![settle(Whose::Call, status)]);
-        if let Some(late) = self.late {
-            tracking = vec![Statement::If(late, vec![settle(Whose::Call, Status::Late)], tracking)];
+        for (test, status) in self.planned {
+            tracking = vec![Statement::If(test, vec![settle(Whose::Call, status)], tracking)];
         }
         vec![Statement::If(self.tracks, tracking, held), Statement::If(every, given, refused)]
     }

@@ -20,6 +20,7 @@ mod statement;
 mod status;
 mod subroutine;
 mod table;
+mod unused;
 mod visit;
 
 pub use bounds::{Bounds, limits_in_order};

@@ -24,7 +24,7 @@ pub struct Axes {
     pub limits: Vec<Fixed>,
     /// Lower limit of u of each; empty where each is the opposite of its upper one.
     pub lower: Vec<Fixed>,
-    /// Bounds of the states of each that planned deadlines keep, [`Flight::state_max`](super::Flight::state_max).
+    /// Bounds of the states of each that planned deadlines keep.
     pub state_max: Vec<Vec<Fixed>>,
     /// Input gain g of each.
     pub input_gains: Vec<Expression>,

@@ -279,8 +279,16 @@ impl Builder<'_> {
                 give(Status::Ok),
             ),
         );
+        // A state that is safe up to the tolerance stays so within limits that are as much wider.
         let limits = chains.iter().flat_map(|chain| {
-            chain.edges.iter().map(|(edge, _)| (*edge, Expr::local(chain.limit(*edge))))
+            let wider = Expr::Number(&chain.tolerance * chain.scale(chain.m));
+            chain.edges.iter().map(move |(edge, _)| {
+                let limit = Expr::local(chain.limit(*edge));
+                match edge {
+                    Edge::Below => (*edge, limit.add(wider.clone())),
+                    Edge::Above => (*edge, limit.sub(wider.clone())),
+                }
+            })
         });
         let kept = limits.fold(clipped, |kept, (edge, limit)| {
             Finish::choose(beyond(edge, &u, &limit), give(Status::Infeasible), kept)

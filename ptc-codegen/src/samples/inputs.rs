@@ -33,13 +33,13 @@ impl Builder<'_> {
             None => Test::CountLess(Expr::local("elapsed"), samples.clone()),
         };
         let limits = (0..m).map(|index| self.limit_of(index)).collect();
-        let late = self.replans().then(|| self.is_late());
+        let planned = self.outcomes_of_plan();
         let changes = match self.replans() {
             true => vec![Statement::Set(Place::Field(LAST.to_owned()), samples.clone())],
             false => Vec::new(),
         };
         let access = if changes.is_empty() { Access::Read } else { Access::Change };
-        body.extend(Inputs { values, limits, tracks, late, changes }.statements());
+        body.extend(Inputs { values, limits, tracks, planned, changes }.statements());
         let [about, u] = self.about();
         let x = match self.spec.decoupled() {
             Some(coupled) => {

@@ -96,19 +96,26 @@ impl Loop {
             .fold(0.0, f64::max)
     }
 
-    /// The time after t0 up to which a run is planned: to tau, to the last event and to each deadline that is given.
+    /// The time after t0 up to which a run is planned: to tau, to the last event, to the end of each force and to each
+    /// deadline that is given.
     pub fn planned(&self, tau: f64) -> f64 {
         let end = |event: &Event| match event.change {
             Change::Arm => self.sample_of(event) + tau,
             Change::Deadline(samples) => self.sample_of(event) + f64::from(samples) * self.period,
-            Change::Target { .. } | Change::Force { .. } => event.at,
+            Change::Target { .. } => event.at,
+            Change::Force { length, .. } => self.sample_from(self.sample_of(event) + length),
         };
         self.events.iter().map(end).fold(tau, f64::max)
     }
 
     /// The time after t0 of the sample at which an event happens.
     fn sample_of(&self, event: &Event) -> f64 {
-        (event.at * (1.0 - SAME) / self.period).ceil() * self.period
+        self.sample_from(event.at)
+    }
+
+    /// The time of the first sample from an instant on.
+    fn sample_from(&self, instant: f64) -> f64 {
+        (instant * (1.0 - SAME) / self.period).ceil() * self.period
     }
 
     /// Returns true if anything in it is drawn at each sample.

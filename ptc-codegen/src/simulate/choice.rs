@@ -31,7 +31,8 @@ impl Loop {
     /// Why a run has more samples than there may be, if it has.
     pub fn too_long(&self, spec: &Spec) -> Option<String> {
         let tau = spec.fixed.get(&Parameter::Tau).and_then(Fixed::number);
-        let length = self.until.or(tau.and_then(ToPrimitive::to_f64))?;
+        let tau = tau.and_then(ToPrimitive::to_f64);
+        let length = self.until.or(tau.map(|tau| self.planned(tau)))?;
         let subject = format!("a run of {length} s with a sample period of {} s", self.period);
         (length / self.period > SAMPLES.most as f64).then(|| SAMPLES.beyond(&subject))
     }

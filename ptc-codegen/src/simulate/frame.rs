@@ -47,8 +47,7 @@ impl<'a> Frame<'a> {
             true => 1.0,
             false => around.delay.part().to_f64().unwrap_or(1.0),
         };
-        let last = around.events.iter().map(|event| event.at).fold(tau, f64::max);
-        let end = around.until.unwrap_or(last);
+        let end = around.until.unwrap_or_else(|| around.planned(tau));
         let sensors = [&around.noise, &around.noise_rms, &around.sensor_step];
         let exact = sensors.into_iter().flatten().all(|own| *own == 0.0);
         Self { around, random, gain, end, index: 0, now: 0.0, part, exact }

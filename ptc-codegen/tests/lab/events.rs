@@ -11,7 +11,8 @@ const STAGE: &str = "name = \"stage\"\nn = 2\ng = \"1/1.5\"\nmu = \"exp(a=1)\"\n
 
 fn simulate(folder: &Path, design: &str, more: &[&str]) -> (Option<i32>, String, String) {
     std::fs::write(folder.join("stage.toml"), design).expect("a file");
-    let mut command = support::command(&["simulate", "stage.toml", "--x0=0.1,0"]);
+    let mut command = support::command(&["simulate", "stage.toml"]);
+    command.args(["--x0=0.1,0"].iter().filter(|_| !more.iter().any(|own| own.starts_with("--x0"))));
     command.args(more).current_dir(folder);
     support::told(&mut command)
 }
@@ -197,4 +198,36 @@ fn wrong_events_are_refused() {
         code != Some(0) && told.contains("arm_for refuses a deadline in 50 samples, PTC_E_SOON"),
         "{told}"
     );
+}
+
+#[test]
+fn runs_last_to_the_end_of_a_kick() {
+    let folder = support::folder("events_kick_end");
+    let design = format!(
+        "{STAGE}[params]\ntau = 0.8\neps = 0\nu_max = 6\n[[event]]\nat = 1\nkick = 3\nfor = 0.1\n"
+    );
+    let (code, csv, told) = simulate(&folder, &design, &[]);
+    assert_eq!(code, Some(0), "{told}");
+    let rows = rows(&csv);
+    let last = rows.last().expect("a sample");
+    assert!((last.0 - 1.1).abs() < 1e-9, "{last:?}");
+    assert!(rows.iter().any(|row| row.0 > 1.0 && row.1.abs() > 1e-6), "{csv}");
+}
+
+/// With bounds of two states the bounds of a plan are too coarse for this move: a state leaves its bound, and the
+/// status says so from the move on.
+#[test]
+fn steps_without_a_plan_are_infeasible() {
+    let folder = support::folder("events_infeasible");
+    let design = "name = \"q\"\nn = 3\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 1e-3\nlate = \"extend\"\n\
+        state_max = [inf, 0.7, 5]\npoles = \"least-energy\"\n[params]\ntau = 0.8\neps = 0.02\nu_max = 180\n\
+        [[event]]\nat = 0.263\nmove = -0.478\n";
+    let (code, csv, told) = simulate(&folder, design, &["--x0=0.218,0,0"]);
+    assert_eq!(code, Some(0), "{told}");
+    let rows = rows(&csv);
+    let status = |row: &(f64, f64, f64, String)| row.3 == "PTC_INFEASIBLE";
+    let first = rows.iter().find(|row| status(row)).expect("a step without a plan");
+    assert!((first.0 - 0.263).abs() < 1e-9, "{first:?}");
+    let beyond: Vec<_> = rows.iter().filter(|row| row.2.abs() > 0.7 + 1e-9).collect();
+    assert!(!beyond.is_empty() && beyond.iter().all(|row| status(row)), "{beyond:?}");
 }

@@ -135,7 +135,7 @@ pub(super) fn in_rust(folder: &Path, spec: &Spec, calls: &[Call], count: usize) 
     };
     let (nan, ends) = (format!("{real}::NAN"), ("[", "]"));
     let mut text = format!(
-        "#![allow(dead_code)]\nmod {name};\nuse {name}::*;\nfn number(status: Result<Status, Error>) -> i32 {{ match status {{ Ok(Status::Ok) => 0, Ok(Status::Hold) => 1, Ok(Status::Saturated) => 2, Ok(Status::After) => 3, Ok(Status::Gated) => 4, Ok(Status::Late) => 5, Err(Error::Param) => -1, Err(Error::Input) => -2, Err(Error::Range) => -3, Err(Error::Soon) => -4 }} }}\nfn show(all: Axes<{count}, {real}>) {{ print!(\"{{}}\", number(all.status)); for i in 0..{count} {{ print!(\" {{}} {{}}\", all.u[i].to_bits(), number(all.axes[i])); }} println!(); }}\nfn main() {{\n    let c = {kind}::new({kind}Params {{ {} }}).expect(\"legal\");\n",
+        "#![allow(dead_code)]\nmod {name};\nuse {name}::*;\nfn number(status: Result<Status, Error>) -> i32 {{ match status {{ Ok(Status::Ok) => 0, Ok(Status::Hold) => 1, Ok(Status::Saturated) => 2, Ok(Status::After) => 3, Ok(Status::Gated) => 4, Ok(Status::Late) => 5, Ok(Status::Infeasible) => 6, Err(Error::Param) => -1, Err(Error::Input) => -2, Err(Error::Range) => -3, Err(Error::Soon) => -4 }} }}\nfn show(all: Axes<{count}, {real}>) {{ print!(\"{{}}\", number(all.status)); for i in 0..{count} {{ print!(\" {{}} {{}}\", all.u[i].to_bits(), number(all.axes[i])); }} println!(); }}\nfn main() {{\n    let c = {kind}::new({kind}Params {{ {} }}).expect(\"legal\");\n",
         members(spec, ": ", ends, "")
     );
     for call in calls {

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_30A178E8_H
-#define TWO_LINK_30A178E8_H
+#ifndef TWO_LINK_D49CB2A0_H
+#define TWO_LINK_D49CB2A0_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -102,7 +102,7 @@ typedef enum ptc_status {
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_LATE = 5, /* the deadline was put off, as a limit would have been exceeded: u is valid */
-    PTC_INFEASIBLE = 6, /* bounds of a filter that cannot be kept from here: u is the nearest to them */
+    PTC_INFEASIBLE = 6, /* nothing is known from here that keeps all limits or bounds: u is valid */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3, /* u not finite */

@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_05341967_HPP
-#define TWO_LINK_05341967_HPP
+#ifndef TWO_LINK_405F1002_HPP
+#define TWO_LINK_405F1002_HPP
 
 #include <array>
 #include <cfloat>
@@ -125,7 +125,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite

@@ -127,7 +127,7 @@ ptc_status ceiling_filter_step(
                 self->u1 = u_now;
                 self->start = since;
                 *u = u_now;
-                if ((safe == 0U) || (u_now < low1)) {
+                if ((safe == 0U) || (u_now < low1 - 0.0554096f)) {
                     status = PTC_INFEASIBLE;
                 } else if ((u_now < u_nominal) || (u_nominal < u_now)) {
                     status = PTC_SATURATED;

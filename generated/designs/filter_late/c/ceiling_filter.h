@@ -15,7 +15,7 @@
  *       the limit of u.
  * From any other state u is held to the law least-energy(weight=1) of the chain of each x_i
  *       less its bound too, so that x_i is within it at the latest N samples after the last
- *       safe one, as long as u is not at its limits.
+ *       safe one, as long as neither the limits of u nor those by other bounds are in the way.
  *
  * Parameters:
  *   samples = 100 [samples], fixed: samples N in which a state outside returns
@@ -41,8 +41,8 @@
  *   loop: not checked: `u_max` is left to run time.
  *   envelope: not checked: a filter has no law.
  */
-#ifndef CEILING_FILTER_6BD3984B_H
-#define CEILING_FILTER_6BD3984B_H
+#ifndef CEILING_FILTER_F6970FFC_H
+#define CEILING_FILTER_F6970FFC_H
 
 #include <stdint.h>
 
@@ -60,7 +60,7 @@ typedef enum ptc_status {
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_LATE = 5, /* the deadline was put off, as a limit would have been exceeded: u is valid */
-    PTC_INFEASIBLE = 6, /* bounds of a filter that cannot be kept from here: u is the nearest to them */
+    PTC_INFEASIBLE = 6, /* nothing is known from here that keeps all limits or bounds: u is valid */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3, /* u not finite */

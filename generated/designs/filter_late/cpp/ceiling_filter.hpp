@@ -15,7 +15,7 @@
  *       the limit of u.
  * From any other state u is held to the law least-energy(weight=1) of the chain of each x_i
  *       less its bound too, so that x_i is within it at the latest N samples after the last
- *       safe one, as long as u is not at its limits.
+ *       safe one, as long as neither the limits of u nor those by other bounds are in the way.
  *
  * Parameters:
  *   samples = 100 [samples], fixed: samples N in which a state outside returns
@@ -40,8 +40,8 @@
  *   loop: not checked: `u_max` is left to run time.
  *   envelope: not checked: a filter has no law.
  */
-#ifndef CEILING_FILTER_A1FEF1E8_HPP
-#define CEILING_FILTER_A1FEF1E8_HPP
+#ifndef CEILING_FILTER_90CEDFC0_HPP
+#define CEILING_FILTER_90CEDFC0_HPP
 
 #include <array>
 #include <cfloat>
@@ -79,7 +79,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite
@@ -190,7 +190,7 @@ public:
         u2_ = u1_;
         u1_ = u_now;
         start_ = since;
-        if ((safe == 0U) || (u_now < low1)) {
+        if ((safe == 0U) || (u_now < low1 - 0.0554096f)) {
             return {u_now, Status::Infeasible};
         } else if ((u_now < u_nominal) || (u_nominal < u_now)) {
             return {u_now, Status::Saturated};

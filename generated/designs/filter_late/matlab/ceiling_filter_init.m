@@ -24,7 +24,7 @@ function self = ceiling_filter_init(params) %#codegen
 %       the limit of u.
 % From any other state u is held to the law least-energy(weight=1) of the chain of each x_i
 %       less its bound too, so that x_i is within it at the latest N samples after the last
-%       safe one, as long as u is not at its limits.
+%       safe one, as long as neither the limits of u nor those by other bounds are in the way.
 %
 % Parameters:
 %   samples = 100 [samples], fixed: samples N in which a state outside returns

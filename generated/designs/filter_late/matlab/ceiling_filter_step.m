@@ -13,7 +13,7 @@ function [u, status, self] = ceiling_filter_step(self, k, x, u_nominal) %#codege
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
-%      6  infeasible: not all bounds can be kept from here, u is the nearest to them
+%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
 u = single(0.0);
 k = double(k);
@@ -81,7 +81,7 @@ end
 self.u2 = self.u1;
 self.u1 = u_now;
 self.start = since;
-if (safe == uint32(0)) || (u_now < low1)
+if (safe == uint32(0)) || (u_now < low1 - single(0.05540959909558296))
     u = u_now;
     status = int32(6);
 elseif (u_now < u_nominal) || (u_nominal < u_now)

@@ -15,7 +15,7 @@
 //!       the limit of u.
 //! From any other state u is held to the law least-energy(weight=1) of the chain of each x_i
 //!       less its bound too, so that x_i is within it at the latest N samples after the last
-//!       safe one, as long as u is not at its limits.
+//!       safe one, as long as neither the limits of u nor those by other bounds are in the way.
 //!
 //! Parameters:
 //!   samples = 100 [samples], fixed: samples N in which a state outside returns
@@ -229,7 +229,7 @@ impl CeilingFilter {
         self.u2 = self.u1;
         self.u1 = u_now;
         self.start = since;
-        let status = if (safe == 0) || (u_now < low1) {
+        let status = if (safe == 0) || (u_now < low1 - 0.0554096) {
             Status::Infeasible
         } else if (u_now < u_nominal) || (u_nominal < u_now) {
             Status::Saturated

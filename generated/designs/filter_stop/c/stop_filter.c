@@ -148,7 +148,7 @@ ptc_status stop_filter_step(
                 && PTC_FINITE_F64(high2)) {
                 self->start = since;
                 *u = u_now;
-                if ((safe == 0U) || (high2 < u_now) || (u_now < low2) || (high1 < u_now) || (u_now < low1)) {
+                if ((safe == 0U) || (high2 + 2.9214144384620184e-8 < u_now) || (u_now < low2 - 2.9214144384620184e-8) || (high1 + 1.816784959392371e-7 < u_now) || (u_now < low1 - 1.816784959392371e-7)) {
                     status = PTC_INFEASIBLE;
                 } else if ((u_now < u_nominal) || (u_nominal < u_now)) {
                     status = PTC_SATURATED;

@@ -16,7 +16,7 @@
  *       the limit of u.
  * From any other state u is held to the law least-energy of the chain of each x_i less its
  *       bound too, so that x_i is within it at the latest N samples after the last safe one,
- *       as long as u is not at its limits.
+ *       as long as neither the limits of u nor those by other bounds are in the way.
  *
  * Parameters:
  *   samples = 400 [samples], fixed: samples N in which a state outside returns
@@ -43,8 +43,8 @@
  *       limit is in the way.
  *   envelope: not checked: a filter has no law.
  */
-#ifndef STOP_FILTER_E143D0AD_H
-#define STOP_FILTER_E143D0AD_H
+#ifndef STOP_FILTER_781F2199_H
+#define STOP_FILTER_781F2199_H
 
 #include <stdint.h>
 
@@ -62,7 +62,7 @@ typedef enum ptc_status {
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_LATE = 5, /* the deadline was put off, as a limit would have been exceeded: u is valid */
-    PTC_INFEASIBLE = 6, /* bounds of a filter that cannot be kept from here: u is the nearest to them */
+    PTC_INFEASIBLE = 6, /* nothing is known from here that keeps all limits or bounds: u is valid */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3, /* u not finite */

@@ -16,7 +16,7 @@
  *       the limit of u.
  * From any other state u is held to the law least-energy of the chain of each x_i less its
  *       bound too, so that x_i is within it at the latest N samples after the last safe one,
- *       as long as u is not at its limits.
+ *       as long as neither the limits of u nor those by other bounds are in the way.
  *
  * Parameters:
  *   samples = 400 [samples], fixed: samples N in which a state outside returns
@@ -42,8 +42,8 @@
  *       limit is in the way.
  *   envelope: not checked: a filter has no law.
  */
-#ifndef STOP_FILTER_EEA9FF59_HPP
-#define STOP_FILTER_EEA9FF59_HPP
+#ifndef STOP_FILTER_5CF67912_HPP
+#define STOP_FILTER_5CF67912_HPP
 
 #include <array>
 #include <cfloat>
@@ -81,7 +81,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite
@@ -208,7 +208,7 @@ public:
             return {0.0, Status::Range};
         }
         start_ = since;
-        if ((safe == 0U) || (high2 < u_now) || (u_now < low2) || (high1 < u_now) || (u_now < low1)) {
+        if ((safe == 0U) || (high2 + 2.9214144384620184e-8 < u_now) || (u_now < low2 - 2.9214144384620184e-8) || (high1 + 1.816784959392371e-7 < u_now) || (u_now < low1 - 1.816784959392371e-7)) {
             return {u_now, Status::Infeasible};
         } else if ((u_now < u_nominal) || (u_nominal < u_now)) {
             return {u_now, Status::Saturated};

@@ -22,7 +22,7 @@ function self = stop_filter_init(~) %#codegen
 %       the limit of u.
 % From any other state u is held to the law least-energy of the chain of each x_i less its
 %       bound too, so that x_i is within it at the latest N samples after the last safe one,
-%       as long as u is not at its limits.
+%       as long as neither the limits of u nor those by other bounds are in the way.
 %
 % Parameters:
 %   samples = 400 [samples], fixed: samples N in which a state outside returns

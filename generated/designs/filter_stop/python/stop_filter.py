@@ -16,7 +16,7 @@ Filter: with the control points z = S x of the trajectory, q_0 = z_i and q_j = (
       the limit of u.
 From any other state u is held to the law least-energy of the chain of each x_i less its
       bound too, so that x_i is within it at the latest N samples after the last safe one,
-      as long as u is not at its limits.
+      as long as neither the limits of u nor those by other bounds are in the way.
 
 Parameters:
   samples = 400 [samples], fixed: samples N in which a state outside returns
@@ -74,7 +74,7 @@ class Status(IntEnum):
     LATE = 5
     """The deadline was put off, as a limit would have been exceeded."""
     INFEASIBLE = 6
-    """The bounds of a filter cannot be kept from here: u is the nearest to them."""
+    """Nothing is known from here that keeps all limits or bounds; u is valid."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -196,7 +196,7 @@ class StopFilter:
             ):
                 return Control(_R(0.0), Status.RANGE)
             self._start = since
-            if (safe == 0) or (high2 < u_now) or (u_now < low2) or (high1 < u_now) or (u_now < low1):
+            if (safe == 0) or (high2 + 2.9214144384620184e-8 < u_now) or (u_now < low2 - 2.9214144384620184e-8) or (high1 + 1.816784959392371e-7 < u_now) or (u_now < low1 - 1.816784959392371e-7):
                 return Control(u_now, Status.INFEASIBLE)
             elif (u_now < u_nominal) or (u_nominal < u_now):
                 return Control(u_now, Status.SATURATED)

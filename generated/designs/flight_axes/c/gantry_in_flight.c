@@ -84,6 +84,7 @@ ptc_status gantry_in_flight_step(
 
             /* The deadline that keeps the limits. */
             uint32_t last_now = self->last;
+            uint32_t late = 0U;
             const uint32_t to_rest = (elapsed < self->last) ? (self->last - elapsed) : 0U;
             const uint32_t ahead = to_rest;
             const double flat1_1 = (120000000.0 * x1_1) - (60000.0 * x2_1);
@@ -655,7 +656,9 @@ ptc_status gantry_in_flight_step(
             if ((0U < kept) && (elapsed < 2147483648U)) {
                 last_now = elapsed + kept;
             }
-            uint32_t late = 0U;
+            if ((kept == 0U) && (0U < ahead)) {
+                late = 2U;
+            }
             if (self->last < last_now) {
                 late = 1U;
             }
@@ -703,7 +706,9 @@ ptc_status gantry_in_flight_step(
                 law_3 = ((y1_3 / (m1_3 + 2.0)) + y2_3) / (m1_3 + 1.0);
             }
             if (20.0 < (double)left) {
-                if (late == 1U) {
+                if (late == 2U) {
+                    status = PTC_INFEASIBLE;
+                } else if (late == 1U) {
                     status = PTC_LATE;
                 } else {
                     status = PTC_OK;

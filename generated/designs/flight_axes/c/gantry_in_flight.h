@@ -38,8 +38,8 @@
  *       them.
  * late extend: a step without such a plan raises N to the soonest that has one (status LATE;
  *       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
- *       to go. Where there is none, or 2^31 samples after the start, N stays, and u is
- *       clipped.
+ *       to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+ *       stays, and u is clipped; states may leave their bounds then.
  * reserve: a new deadline leaves 0.1 of each limit free.
  * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
  *       deadline where it lasts.
@@ -57,8 +57,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef GANTRY_IN_FLIGHT_3485030C_H
-#define GANTRY_IN_FLIGHT_3485030C_H
+#ifndef GANTRY_IN_FLIGHT_CB052FCF_H
+#define GANTRY_IN_FLIGHT_CB052FCF_H
 
 #include <stdint.h>
 
@@ -76,7 +76,7 @@ typedef enum ptc_status {
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_LATE = 5, /* the deadline was put off, as a limit would have been exceeded: u is valid */
-    PTC_INFEASIBLE = 6, /* bounds of a filter that cannot be kept from here: u is the nearest to them */
+    PTC_INFEASIBLE = 6, /* nothing is known from here that keeps all limits or bounds: u is valid */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3, /* u not finite */

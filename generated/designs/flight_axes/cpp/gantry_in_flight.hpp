@@ -38,8 +38,8 @@
  *       them.
  * late extend: a step without such a plan raises N to the soonest that has one (status LATE;
  *       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
- *       to go. Where there is none, or 2^31 samples after the start, N stays, and u is
- *       clipped.
+ *       to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+ *       stays, and u is clipped; states may leave their bounds then.
  * reserve: a new deadline leaves 0.1 of each limit free.
  * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
  *       deadline where it lasts.
@@ -56,8 +56,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef GANTRY_IN_FLIGHT_0248EAF4_HPP
-#define GANTRY_IN_FLIGHT_0248EAF4_HPP
+#ifndef GANTRY_IN_FLIGHT_28FC0957_HPP
+#define GANTRY_IN_FLIGHT_28FC0957_HPP
 
 #include <array>
 #include <cfloat>
@@ -96,7 +96,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite
@@ -187,6 +187,7 @@ public:
 
         // The deadline that keeps the limits.
         std::uint32_t last_now = last_;
+        std::uint32_t late = 0U;
         const std::uint32_t to_rest = (elapsed < last_) ? (last_ - elapsed) : 0U;
         const std::uint32_t ahead = to_rest;
         const double flat1_1 = (120000000.0 * x1_1) - (60000.0 * x2_1);
@@ -752,7 +753,9 @@ public:
         if ((0U < kept) && (elapsed < 2147483648U)) {
             last_now = elapsed + kept;
         }
-        std::uint32_t late = 0U;
+        if ((kept == 0U) && (0U < ahead)) {
+            late = 2U;
+        }
         if (last_ < last_now) {
             late = 1U;
         }
@@ -800,7 +803,9 @@ public:
             law_3 = ((y1_3 / (m1_3 + 2.0)) + y2_3) / (m1_3 + 1.0);
         }
         if (20.0 < static_cast<double>(left)) {
-            if (late == 1U) {
+            if (late == 2U) {
+                all.status = Status::Infeasible;
+            } else if (late == 1U) {
                 all.status = Status::Late;
             } else {
                 all.status = Status::Ok;

@@ -44,8 +44,8 @@ function self = gantry_in_flight_init(~) %#codegen
 %       them.
 % late extend: a step without such a plan raises N to the soonest that has one (status LATE;
 %       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
-%       to go. Where there is none, or 2^31 samples after the start, N stays, and u is
-%       clipped.
+%       to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+%       stays, and u is clipped; states may leave their bounds then.
 % reserve: a new deadline leaves 0.1 of each limit free.
 % u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
 %       deadline where it lasts.

@@ -13,6 +13,7 @@ function [samples, status] = gantry_in_flight_soonest(self, x) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
+%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 %     -4  there is none
 
 samples = uint32(0);

@@ -14,6 +14,7 @@ function [u, axes, status, self] = gantry_in_flight_step(self, k, x) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
+%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
 u = zeros(3, 1, 'double');
 axes = repmat(int32(-2), 3, 1);
@@ -43,6 +44,7 @@ x2_3 = x(3, 2);
 
 % The deadline that keeps the limits.
 last_now = self.last;
+late = uint32(0);
 to_rest = self.last - elapsed;
 ahead = to_rest;
 flat1_1 = (120000000.0 * x1_1) - (60000.0 * x2_1);
@@ -608,7 +610,9 @@ end
 if (uint32(0) < kept) && (elapsed < uint32(2147483648))
     last_now = elapsed + kept;
 end
-late = uint32(0);
+if (kept == uint32(0)) && (uint32(0) < ahead)
+    late = uint32(2);
+end
 if self.last < last_now
     late = uint32(1);
 end
@@ -653,7 +657,9 @@ else
     law_3 = ((y1_3 / (m1_3 + 2.0)) + y2_3) / (m1_3 + 1.0);
 end
 if 20.0 < double(left)
-    if late == uint32(1)
+    if late == uint32(2)
+        status = int32(6);
+    elseif late == uint32(1)
         status = int32(5);
     else
         status = int32(0);

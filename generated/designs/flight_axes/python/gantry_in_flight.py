@@ -38,8 +38,8 @@ Axes: all come to rest at the same sample, and each deadline is tested for every
       them.
 late extend: a step without such a plan raises N to the soonest that has one (status LATE;
       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
-      to go. Where there is none, or 2^31 samples after the start, N stays, and u is
-      clipped.
+      to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+      stays, and u is clipped; states may leave their bounds then.
 reserve: a new deadline leaves 0.1 of each limit free.
 u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
       deadline where it lasts.
@@ -88,7 +88,7 @@ class Status(IntEnum):
     LATE = 5
     """The deadline was put off, as a limit would have been exceeded."""
     INFEASIBLE = 6
-    """The bounds of a filter cannot be kept from here: u is the nearest to them."""
+    """Nothing is known from here that keeps all limits or bounds; u is valid."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -184,6 +184,7 @@ class GantryInFlight:
 
             # The deadline that keeps the limits.
             last_now = np.asarray(self._last)
+            late = np.asarray(0)
             to_rest = max(self._last - elapsed, 0)
             ahead = to_rest
             flat1_1 = (120000000.0 * x1_1) - (60000.0 * x2_1)
@@ -655,7 +656,8 @@ class GantryInFlight:
                 part = _R(0.899999999999773)
             if (0 < kept) and (elapsed < 2147483648):
                 last_now = elapsed + kept
-            late = np.asarray(0)
+            if (kept == 0) and (0 < ahead):
+                late = 2
             if self._last < last_now:
                 late = 1
             left = max(last_now - elapsed, 0)
@@ -696,7 +698,9 @@ class GantryInFlight:
                 y2_3 = (-72000.0) * x2_3
                 law_3 = ((y1_3 / (m1_3 + 2.0)) + y2_3) / (m1_3 + 1.0)
             if 20.0 < _R(left):
-                if late == 1:
+                if late == 2:
+                    status = Status.INFEASIBLE
+                elif late == 1:
                     status = Status.LATE
                 else:
                     status = Status.OK

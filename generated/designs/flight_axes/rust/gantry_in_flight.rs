@@ -38,8 +38,8 @@
 //!       them.
 //! late extend: a step without such a plan raises N to the soonest that has one (status LATE;
 //!       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
-//!       to go. Where there is none, or 2^31 samples after the start, N stays, and u is
-//!       clipped.
+//!       to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+//!       stays, and u is clipped; states may leave their bounds then.
 //! reserve: a new deadline leaves 0.1 of each limit free.
 //! u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
 //!       deadline where it lasts.
@@ -216,6 +216,7 @@ impl GantryInFlight {
 
         // The deadline that keeps the limits.
         let mut last_now = self.last;
+        let mut late = 0_u32;
         let to_rest = self.last.saturating_sub(elapsed);
         let ahead = to_rest;
         let flat1_1 = (120000000.0 * x1_1) - (60000.0 * x2_1);
@@ -790,7 +791,9 @@ impl GantryInFlight {
         if (0 < kept) && (elapsed < 2147483648) {
             last_now = elapsed + kept;
         }
-        let mut late = 0_u32;
+        if (kept == 0) && (0 < ahead) {
+            late = 2;
+        }
         if self.last < last_now {
             late = 1;
         }
@@ -850,7 +853,9 @@ impl GantryInFlight {
             law_3 = ((y1_3 / (m1_3 + 2.0)) + y2_3) / (m1_3 + 1.0);
         }
         if 20.0 < (left as f64) {
-            if late == 1 {
+            if late == 2 {
+                status = Ok(Status::Infeasible);
+            } else if late == 1 {
                 status = Ok(Status::Late);
             } else {
                 status = Ok(Status::Ok);

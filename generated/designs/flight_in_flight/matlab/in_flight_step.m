@@ -13,6 +13,7 @@ function [u, status, self] = in_flight_step(self, k, y) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
+%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
 % Gains of least energy of each state, a row for the samples to go of a node.
 gains = [

@@ -119,6 +119,7 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
 
             /* The deadline that keeps the limits. */
             uint32_t last_now = self->last;
+            uint32_t late = 0U;
             const uint32_t to_rest = (elapsed < self->last) ? (self->last - elapsed) : 0U;
             const uint32_t ahead = (1U < to_rest) ? (to_rest - 1U) : 0U;
             const double flat1 = (1500000.0 * x1) + (750.0 * x2);
@@ -255,7 +256,9 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
             if ((ahead < kept) && (elapsed < 2147483648U)) {
                 last_now = (elapsed + kept) + 1U;
             }
-            uint32_t late = 0U;
+            if ((kept == 0U) && (0U < ahead)) {
+                late = 2U;
+            }
             if (self->last < last_now) {
                 late = 1U;
             }
@@ -297,6 +300,8 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
                     status = PTC_SATURATED;
                 } else if (((double)left) - 1.0 <= 20.0) {
                     status = PTC_HOLD;
+                } else if (late == 2U) {
+                    status = PTC_INFEASIBLE;
                 } else if (late == 1U) {
                     status = PTC_LATE;
                 } else {

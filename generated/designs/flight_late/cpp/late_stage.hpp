@@ -36,8 +36,8 @@
  *       limits, u stay there at every sample to rest, where plant and state are as they are
  *       known.
  * late extend: a step without such a plan raises N to the soonest that has one (status LATE;
- *       deadline gives its tick). Where there is none, or 2^31 samples after the start, N
- *       stays, and u is clipped.
+ *       deadline gives its tick). Where none is found (status INFEASIBLE), or 2^31 samples
+ *       after the start, N stays, and u is clipped; states may leave their bounds then.
  * reserve: a new deadline leaves 0.1 of each limit free.
  * |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
  *       lasts.
@@ -54,8 +54,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef LATE_STAGE_C9B9EFA4_HPP
-#define LATE_STAGE_C9B9EFA4_HPP
+#ifndef LATE_STAGE_AE212476_HPP
+#define LATE_STAGE_AE212476_HPP
 
 #include <array>
 #include <cfloat>
@@ -93,7 +93,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite
@@ -210,6 +210,7 @@ public:
 
         // The deadline that keeps the limits.
         std::uint32_t last_now = last_;
+        std::uint32_t late = 0U;
         const std::uint32_t to_rest = (elapsed < last_) ? (last_ - elapsed) : 0U;
         const std::uint32_t ahead = (1U < to_rest) ? (to_rest - 1U) : 0U;
         const double flat1 = (1500000.0 * x1) + (750.0 * x2);
@@ -344,7 +345,9 @@ public:
         if ((ahead < kept) && (elapsed < 2147483648U)) {
             last_now = (elapsed + kept) + 1U;
         }
-        std::uint32_t late = 0U;
+        if ((kept == 0U) && (0U < ahead)) {
+            late = 2U;
+        }
         if (last_ < last_now) {
             late = 1U;
         }
@@ -386,6 +389,8 @@ public:
             return {u_now, Status::Saturated};
         } else if (static_cast<double>(left) - 1.0 <= 20.0) {
             return {u_now, Status::Hold};
+        } else if (late == 2U) {
+            return {u_now, Status::Infeasible};
         } else if (late == 1U) {
             return {u_now, Status::Late};
         } else {

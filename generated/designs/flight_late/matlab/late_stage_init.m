@@ -42,8 +42,8 @@ function self = late_stage_init(~) %#codegen
 %       limits, u stay there at every sample to rest, where plant and state are as they are
 %       known.
 % late extend: a step without such a plan raises N to the soonest that has one (status LATE;
-%       deadline gives its tick). Where there is none, or 2^31 samples after the start, N
-%       stays, and u is clipped.
+%       deadline gives its tick). Where none is found (status INFEASIBLE), or 2^31 samples
+%       after the start, N stays, and u is clipped; states may leave their bounds then.
 % reserve: a new deadline leaves 0.1 of each limit free.
 % |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
 %       lasts.

@@ -13,6 +13,7 @@ function [u, status, self] = late_stage_step(self, k, y) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
+%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
 u = 0.0;
 k = double(k);
@@ -58,6 +59,7 @@ d = p3 + (l3 * miss);
 
 % The deadline that keeps the limits.
 last_now = self.last;
+late = uint32(0);
 to_rest = self.last - elapsed;
 ahead = to_rest - uint32(1);
 flat1 = (1500000.0 * x1) + (750.0 * x2);
@@ -192,7 +194,9 @@ end
 if (ahead < kept) && (elapsed < uint32(2147483648))
     last_now = (elapsed + kept) + uint32(1);
 end
-late = uint32(0);
+if (kept == uint32(0)) && (uint32(0) < ahead)
+    late = uint32(2);
+end
 if self.last < last_now
     late = uint32(1);
 end
@@ -235,6 +239,9 @@ if (6.0 < v) || (v < -6.0)
 elseif double(left) - 1.0 <= 20.0
     u = u_now;
     status = int32(1);
+elseif late == uint32(2)
+    u = u_now;
+    status = int32(6);
 elseif late == uint32(1)
     u = u_now;
     status = int32(5);

@@ -36,8 +36,8 @@ Plan: on the way to rest u and the states are sums of falling powers of the samp
       limits, u stay there at every sample to rest, where plant and state are as they are
       known.
 late extend: a step without such a plan raises N to the soonest that has one (status LATE;
-      deadline gives its tick). Where there is none, or 2^31 samples after the start, N
-      stays, and u is clipped.
+      deadline gives its tick). Where none is found (status INFEASIBLE), or 2^31 samples
+      after the start, N stays, and u is clipped; states may leave their bounds then.
 reserve: a new deadline leaves 0.1 of each limit free.
 |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
       lasts.
@@ -86,7 +86,7 @@ class Status(IntEnum):
     LATE = 5
     """The deadline was put off, as a limit would have been exceeded."""
     INFEASIBLE = 6
-    """The bounds of a filter cannot be kept from here: u is the nearest to them."""
+    """Nothing is known from here that keeps all limits or bounds; u is valid."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -190,6 +190,7 @@ class LateStage:
 
             # The deadline that keeps the limits.
             last_now = np.asarray(self._last)
+            late = np.asarray(0)
             to_rest = max(self._last - elapsed, 0)
             ahead = max(to_rest - 1, 0)
             flat1 = (1500000.0 * x1) + (750.0 * x2)
@@ -306,7 +307,8 @@ class LateStage:
                 part = _R(0.899999999999773)
             if (ahead < kept) and (elapsed < 2147483648):
                 last_now = (elapsed + kept) + 1
-            late = np.asarray(0)
+            if (kept == 0) and (0 < ahead):
+                late = 2
             if self._last < last_now:
                 late = 1
             left = max(last_now - elapsed, 0)
@@ -342,6 +344,8 @@ class LateStage:
                 return Control(u_now, Status.SATURATED)
             elif _R(left) - 1.0 <= 20.0:
                 return Control(u_now, Status.HOLD)
+            elif late == 2:
+                return Control(u_now, Status.INFEASIBLE)
             elif late == 1:
                 return Control(u_now, Status.LATE)
             else:

@@ -36,8 +36,8 @@
 //!       limits, u stay there at every sample to rest, where plant and state are as they are
 //!       known.
 //! late extend: a step without such a plan raises N to the soonest that has one (status LATE;
-//!       deadline gives its tick). Where there is none, or 2^31 samples after the start, N
-//!       stays, and u is clipped.
+//!       deadline gives its tick). Where none is found (status INFEASIBLE), or 2^31 samples
+//!       after the start, N stays, and u is clipped; states may leave their bounds then.
 //! reserve: a new deadline leaves 0.1 of each limit free.
 //! |u| <= u_max: u is clipped to it (status SATURATED). Clipping voids the deadline where it
 //!       lasts.
@@ -251,6 +251,7 @@ impl LateStage {
 
         // The deadline that keeps the limits.
         let mut last_now = self.last;
+        let mut late = 0_u32;
         let to_rest = self.last.saturating_sub(elapsed);
         let ahead = to_rest.saturating_sub(1);
         let flat1 = (1500000.0 * x1) + (750.0 * x2);
@@ -388,7 +389,9 @@ impl LateStage {
         if (ahead < kept) && (elapsed < 2147483648) {
             last_now = (elapsed + kept) + 1;
         }
-        let mut late = 0_u32;
+        if (kept == 0) && (0 < ahead) {
+            late = 2;
+        }
         if self.last < last_now {
             late = 1;
         }
@@ -430,6 +433,8 @@ impl LateStage {
             Status::Saturated
         } else if (left as f64) - 1.0 <= 20.0 {
             Status::Hold
+        } else if late == 2 {
+            Status::Infeasible
         } else if late == 1 {
             Status::Late
         } else {

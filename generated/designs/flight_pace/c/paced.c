@@ -77,6 +77,7 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
 
             /* The deadline that keeps the limits. */
             uint32_t last_now = self->last;
+            uint32_t late = 0U;
             if (elapsed < self->last) {
                 const uint32_t to_rest = (elapsed < self->last) ? (self->last - elapsed) : 0U;
                 const uint32_t ahead = to_rest;
@@ -194,8 +195,10 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                 if ((0U < kept) && (elapsed < 2147483648U)) {
                     last_now = elapsed + kept;
                 }
+                if ((kept == 0U) && (0U < ahead)) {
+                    late = 2U;
+                }
             }
-            uint32_t late = 0U;
             if (self->last < last_now) {
                 late = 1U;
             }
@@ -229,6 +232,8 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                 if (elapsed < last_now) {
                     if ((self->u_max < v) || (v < -1.0)) {
                         status = PTC_SATURATED;
+                    } else if (late == 2U) {
+                        status = PTC_INFEASIBLE;
                     } else if (late == 1U) {
                         status = PTC_LATE;
                     } else {

@@ -33,8 +33,8 @@
  *       known.
  * late extend: a step without such a plan raises N to the soonest that has one (status LATE;
  *       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
- *       to go. Where there is none, or 2^31 samples after the start, N stays, and u is
- *       clipped.
+ *       to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+ *       stays, and u is clipped; states may leave their bounds then.
  * u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
  *       deadline where it lasts.
  * Guard full: what is measured is finite, or the call is refused (INPUT).
@@ -50,8 +50,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef PACED_C1BB04A6_HPP
-#define PACED_C1BB04A6_HPP
+#ifndef PACED_C7EDD624_HPP
+#define PACED_C7EDD624_HPP
 
 #include <array>
 #include <cfloat>
@@ -89,7 +89,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite
@@ -167,6 +167,7 @@ public:
 
         // The deadline that keeps the limits.
         std::uint32_t last_now = last_;
+        std::uint32_t late = 0U;
         if (elapsed < last_) {
             const std::uint32_t to_rest = (elapsed < last_) ? (last_ - elapsed) : 0U;
             const std::uint32_t ahead = to_rest;
@@ -282,8 +283,10 @@ public:
             if ((0U < kept) && (elapsed < 2147483648U)) {
                 last_now = elapsed + kept;
             }
+            if ((kept == 0U) && (0U < ahead)) {
+                late = 2U;
+            }
         }
-        std::uint32_t late = 0U;
         if (last_ < last_now) {
             late = 1U;
         }
@@ -317,6 +320,8 @@ public:
         if (elapsed < last_now) {
             if ((u_max_ < v) || (v < -1.0)) {
                 return {u_now, Status::Saturated};
+            } else if (late == 2U) {
+                return {u_now, Status::Infeasible};
             } else if (late == 1U) {
                 return {u_now, Status::Late};
             } else {

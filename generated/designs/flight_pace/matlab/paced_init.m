@@ -42,8 +42,8 @@ function self = paced_init(params) %#codegen
 %       known.
 % late extend: a step without such a plan raises N to the soonest that has one (status LATE;
 %       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
-%       to go. Where there is none, or 2^31 samples after the start, N stays, and u is
-%       clipped.
+%       to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+%       stays, and u is clipped; states may leave their bounds then.
 % u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
 %       deadline where it lasts.
 % Guard full: what is measured is finite, or the call is refused (INPUT).

@@ -13,6 +13,7 @@ function [u, status, self] = paced_step(self, k, x) %#codegen
 %      4  gated: a reading was not believed, u by prediction alone; wins over all above
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
+%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
 u = 0.0;
 k = double(k);
@@ -32,6 +33,7 @@ x2 = x(2);
 
 % The deadline that keeps the limits.
 last_now = self.last;
+late = uint32(0);
 if elapsed < self.last
     to_rest = self.last - elapsed;
     ahead = to_rest;
@@ -147,8 +149,10 @@ if elapsed < self.last
     if (uint32(0) < kept) && (elapsed < uint32(2147483648))
         last_now = elapsed + kept;
     end
+    if (kept == uint32(0)) && (uint32(0) < ahead)
+        late = uint32(2);
+    end
 end
-late = uint32(0);
 if self.last < last_now
     late = uint32(1);
 end
@@ -182,6 +186,9 @@ if elapsed < last_now
     if (self.u_max < v) || (v < -1.0)
         u = u_now;
         status = int32(2);
+    elseif late == uint32(2)
+        u = u_now;
+        status = int32(6);
     elseif late == uint32(1)
         u = u_now;
         status = int32(5);

@@ -33,8 +33,8 @@ Plan: on the way to rest u and the states are sums of falling powers of the samp
       known.
 late extend: a step without such a plan raises N to the soonest that has one (status LATE;
       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
-      to go. Where there is none, or 2^31 samples after the start, N stays, and u is
-      clipped.
+      to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+      stays, and u is clipped; states may leave their bounds then.
 u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
       deadline where it lasts.
 Guard full: what is measured is finite, or the call is refused (INPUT).
@@ -82,7 +82,7 @@ class Status(IntEnum):
     LATE = 5
     """The deadline was put off, as a limit would have been exceeded."""
     INFEASIBLE = 6
-    """The bounds of a filter cannot be kept from here: u is the nearest to them."""
+    """Nothing is known from here that keeps all limits or bounds; u is valid."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3
@@ -156,6 +156,7 @@ class Paced:
 
             # The deadline that keeps the limits.
             last_now = np.asarray(self._last)
+            late = np.asarray(0)
             if elapsed < self._last:
                 to_rest = max(self._last - elapsed, 0)
                 ahead = to_rest
@@ -255,7 +256,8 @@ class Paced:
                     part = _R(0.9999999999937695)
                 if (0 < kept) and (elapsed < 2147483648):
                     last_now = elapsed + kept
-            late = np.asarray(0)
+                if (kept == 0) and (0 < ahead):
+                    late = 2
             if self._last < last_now:
                 late = 1
             left = max(last_now - elapsed, 0)
@@ -283,6 +285,8 @@ class Paced:
             if elapsed < last_now:
                 if (self._u_max < v) or (v < -1.0):
                     return Control(u_now, Status.SATURATED)
+                elif late == 2:
+                    return Control(u_now, Status.INFEASIBLE)
                 elif late == 1:
                     return Control(u_now, Status.LATE)
                 else:

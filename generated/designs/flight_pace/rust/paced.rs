@@ -33,8 +33,8 @@
 //!       known.
 //! late extend: a step without such a plan raises N to the soonest that has one (status LATE;
 //!       deadline gives its tick), and others lower N, by at most a sixteenth of the samples
-//!       to go. Where there is none, or 2^31 samples after the start, N stays, and u is
-//!       clipped.
+//!       to go. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N
+//!       stays, and u is clipped; states may leave their bounds then.
 //! u_min <= u <= u_max: u is clipped to these limits (status SATURATED). Clipping voids the
 //!       deadline where it lasts.
 //! Guard full: what is measured is finite, or the call is refused (INPUT).
@@ -196,6 +196,7 @@ impl Paced {
 
         // The deadline that keeps the limits.
         let mut last_now = self.last;
+        let mut late = 0_u32;
         if elapsed < self.last {
             let to_rest = self.last.saturating_sub(elapsed);
             let ahead = to_rest;
@@ -313,8 +314,10 @@ impl Paced {
             if (0 < kept) && (elapsed < 2147483648) {
                 last_now = elapsed + kept;
             }
+            if (kept == 0) && (0 < ahead) {
+                late = 2;
+            }
         }
-        let mut late = 0_u32;
         if self.last < last_now {
             late = 1;
         }
@@ -352,6 +355,8 @@ impl Paced {
         let status = if elapsed < last_now {
             if (self.u_max < v) || (v < -1.0) {
                 Status::Saturated
+            } else if late == 2 {
+                Status::Infeasible
             } else if late == 1 {
                 Status::Late
             } else {

@@ -11,6 +11,7 @@
  *   elapsed < self->last: never false in 4461 calls.
  *   below < 3U: never true in 4461 calls.
  *   elapsed < 2147483648U: never false in 4461 calls.
+ *   0U < ahead: never false in 4461 calls.
  *   low < top: never false in 4461 calls.
  *   PTC_FINITE_F64(flat2): never false in 4461 calls.
  *   PTC_FINITE_F64(flat3): never false in 4461 calls.

@@ -77,8 +77,8 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_C12E804F_HPP
-#define PTC_RATIONAL_INPUTS4_C12E804F_HPP
+#ifndef PTC_RATIONAL_INPUTS4_FF5C18CC_HPP
+#define PTC_RATIONAL_INPUTS4_FF5C18CC_HPP
 
 #include <array>
 #include <cfloat>
@@ -118,7 +118,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite

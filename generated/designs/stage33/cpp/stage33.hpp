@@ -53,8 +53,8 @@
  *   loop: not checked: axis 1: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE33_157C2DAF_HPP
-#define STAGE33_157C2DAF_HPP
+#ifndef STAGE33_B1C3020E_HPP
+#define STAGE33_B1C3020E_HPP
 
 #include <array>
 #include <cfloat>
@@ -93,7 +93,7 @@ enum class Status : int {
     After = 3, ///< the deadline is over: u is 0 or that of the user-defined law
     Gated = 4, ///< a reading was not believed: u by prediction alone; wins over all above
     Late = 5, ///< the deadline was put off, as a limit would have been exceeded: u is valid
-    Infeasible = 6, ///< bounds of a filter that cannot be kept from here: u is the nearest to them
+    Infeasible = 6, ///< nothing is known from here that keeps all limits or bounds: u is valid
     Param = -1, ///< a parameter outside its domain, or coefficients outside the range
     Input = -2, ///< x or t not finite, or t before t0
     Range = -3, ///< u not finite

@@ -40,8 +40,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE41_OBSERVER_9C5FABEA_H
-#define STAGE41_OBSERVER_9C5FABEA_H
+#ifndef STAGE41_OBSERVER_F8BFCF98_H
+#define STAGE41_OBSERVER_F8BFCF98_H
 
 #include <stdint.h>
 
@@ -59,7 +59,7 @@ typedef enum ptc_status {
     PTC_AFTER = 3, /* the deadline is over: u is 0 or that of the user-defined law */
     PTC_GATED = 4, /* a reading was not believed: u by prediction alone; wins over all above */
     PTC_LATE = 5, /* the deadline was put off, as a limit would have been exceeded: u is valid */
-    PTC_INFEASIBLE = 6, /* bounds of a filter that cannot be kept from here: u is the nearest to them */
+    PTC_INFEASIBLE = 6, /* nothing is known from here that keeps all limits or bounds: u is valid */
     PTC_E_PARAM = -1, /* a parameter outside its domain, or coefficients outside the range */
     PTC_E_INPUT = -2, /* x or t not finite, t before t0, or a NULL pointer */
     PTC_E_RANGE = -3, /* u not finite */

@@ -70,7 +70,7 @@ class Status(IntEnum):
     LATE = 5
     """The deadline was put off, as a limit would have been exceeded."""
     INFEASIBLE = 6
-    """The bounds of a filter cannot be kept from here: u is the nearest to them."""
+    """Nothing is known from here that keeps all limits or bounds; u is valid."""
     INPUT = -2
     """x or t is not finite, or t is before t0."""
     RANGE = -3

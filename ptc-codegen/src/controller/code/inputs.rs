@@ -41,7 +41,8 @@ impl Builder<'_> {
         let tracks = Test::Less(late.clone(), self.field(self.limits.hold_from));
         let limits = (0..m).map(|index| self.limit_of(index)).collect();
         statements.extend(
-            Inputs { values, limits, tracks, late: None, changes: Vec::new() }.statements(),
+            Inputs { values, limits, tracks, planned: Vec::new(), changes: Vec::new() }
+                .statements(),
         );
         let inputs = Name::listed(&coupled.inputs);
         let reference = self.reference();

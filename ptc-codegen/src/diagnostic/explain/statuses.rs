@@ -47,10 +47,10 @@ pub(super) static STATUSES: [Explanation; 11] = [
     },
     Explanation {
         code: "PTC_INFEASIBLE",
-        means: "The state is outside the set from which a filter keeps every bound, or a limit of u or a bound that goes first takes precedence over one of them. u is the nearest to the bounds that is left: those of x1 go before those of x2 and so on, the limits of u before all.",
+        means: "The state is outside the set from which a filter keeps every bound, or a limit of u or a bound that goes first takes precedence over one of them. u is the nearest to the bounds that is left: those of x1 go before those of x2 and so on, the limits of u before all. Of a law with `late = extend`: no deadline was found that keeps u and the states within their limits; the deadline stays, and u is valid.",
         design: "",
         example: "a start of `what = filter` that moves to its stop too fast, or a u_max too small to brake before it",
-        fix: "one that passes is a start outside, from which the filter returns; where it lasts, give bounds of the speed or slower `keep_poles`, for which `check` proves the limits of u enough",
+        fix: "one that passes is a start outside, from which the filter returns; where it lasts, give bounds of the speed or slower `keep_poles`, for which `check` proves the limits of u enough. Of a law: give larger limits, or a shorter move",
     },
     Explanation {
         code: "PTC_E_PARAM",

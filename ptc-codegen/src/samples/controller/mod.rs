@@ -48,7 +48,7 @@ pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
         designs: &designs,
         output: None,
     };
-    let functions = builder.functions();
+    let functions = builder.functions().into_iter().map(Function::without_unused).collect();
     Code {
         name: spec.name(),
         precision: spec.precision,

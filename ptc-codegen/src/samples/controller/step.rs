@@ -129,8 +129,8 @@ impl Builder<'_> {
         let going = || Test::CountLess(Expr::local("elapsed"), samples.clone());
         let (limits, zero) = (self.limits(), self.spec.after == After::Zero);
         let (mut tracks, held) = (give(&v, Status::Ok), give(&v, Status::Hold));
-        if self.replans() {
-            tracks = Finish::choose(self.is_late(), give(&v, Status::Late), tracks);
+        for (test, status) in self.outcomes_of_plan() {
+            tracks = Finish::choose(test, give(&v, status), tracks);
         }
         let mut finish = match self.hold() {
             Some(hold) => {

@@ -3,13 +3,13 @@
 use super::super::controller::Builder;
 use super::search::{KEPT, Search};
 use super::{AHEAD, LAST, rest};
-use crate::code::{Expr, Place, Shape, Statement, Test};
+use crate::code::{Expr, Place, Shape, Statement, Status, Test};
 use crate::request::{After, Flight, MAX_SAMPLES};
 
 /// The samples from the start to rest from this step on.
 const NOW: &str = "last_now";
 
-/// 1 if this step has put its deadline off.
+/// 1 if this step has put its deadline off, 2 if no deadline was found that keeps the limits.
 const LATE: &str = "late";
 
 /// Part of the time to go by which a step moves its deadline forward at most.
@@ -55,16 +55,21 @@ impl Builder<'_> {
         let test = Test::CountLess(changes, Expr::local(KEPT));
         let test = test.and(Test::CountLess(elapsed(), Expr::Count(MAX_SAMPLES)));
         planned.push(Statement::If(test, set, Vec::new()));
+        let judge =
+            |number| vec![Statement::Set(Place::Local(LATE.to_owned()), Expr::Count(number))];
+        let none = Test::CountEqual(Expr::local(KEPT), Expr::Count(0));
+        let none = none.and(Test::CountLess(Expr::Count(0), Expr::local(AHEAD)));
+        planned.push(Statement::If(none, judge(2), Vec::new()));
         // u is 0 then.
         if self.spec.after == After::Zero {
             let going = Test::CountLess(elapsed(), field());
             planned = vec![Statement::If(going, planned, Vec::new())];
         }
+        body.push(Statement::Begin(LATE.to_owned(), Shape::Count, Expr::Count(0)));
         body.extend(planned);
         // The field is set before the end of the call asks.
-        let set = vec![Statement::Set(Place::Local(LATE.to_owned()), Expr::Count(1))];
-        body.push(Statement::Begin(LATE.to_owned(), Shape::Count, Expr::Count(0)));
-        body.push(Statement::If(Test::CountLess(field(), Expr::local(NOW)), set, Vec::new()));
+        let later = Test::CountLess(field(), Expr::local(NOW));
+        body.push(Statement::If(later, judge(1), Vec::new()));
         body
     }
 
@@ -86,8 +91,12 @@ impl Builder<'_> {
         Expr::local("below")
     }
 
-    /// A test that this step has put its deadline off.
-    pub(in crate::samples) fn is_late(&self) -> Test {
-        Test::CountEqual(Expr::local(LATE), Expr::Count(1))
+    /// The tests of a step that tracks, and its status where one holds.
+    pub(in crate::samples) fn outcomes_of_plan(&self) -> Vec<(Test, Status)> {
+        let is = |number| Test::CountEqual(Expr::local(LATE), Expr::Count(number));
+        match self.replans() {
+            true => vec![(is(1), Status::Late), (is(2), Status::Infeasible)],
+            false => Vec::new(),
+        }
     }
 }

@@ -377,3 +377,28 @@ fn commands_give_the_filter_back() {
     }
     assert!(!command.contains("--mu") && !command.contains("--clock"), "{command}");
 }
+
+/// In single precision a bound of 0 and one that approaches it differ by less than the rounding of u.
+#[test]
+fn rounding_makes_no_bound_give_way() {
+    let more = [
+        ("sample_time", "1e-3"),
+        ("tau", "0.4"),
+        ("keep_below", "0.5, 0.8"),
+        ("keep_above", "-0.5, 0"),
+        ("keep_poles", "-10, -40"),
+        ("u_max", "10"),
+        ("precision", "f32"),
+    ];
+    let mut own = instance(&keys("2", &more));
+    let mut x = [0.0_f32; 2];
+    for k in 0..4000 {
+        let given = x.map(f64::from);
+        let (u, status) = step(&mut own, k, &given, 1e3);
+        assert_eq!(status, Status::Saturated, "{x:?} at {k}");
+        #[allow(clippy::cast_possible_truncation)]
+        let next = [given[0] + 1e-3 * given[1] + 5e-7 * u, given[1] + 1e-3 * u].map(|x| x as f32);
+        x = next;
+    }
+    assert!((x[0] - 0.5).abs() < 1e-3, "{x:?}");
+}

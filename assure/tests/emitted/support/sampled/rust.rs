@@ -26,7 +26,7 @@ trait Design {
 macro_rules! status {
     ($module:ident, $status:expr) => {{
         use $module::Status;
-        match $status { Status::Ok => 0, Status::Hold => 1, Status::Saturated => 2, Status::After => 3, Status::Gated => 4, Status::Late => 5 }
+        match $status { Status::Ok => 0, Status::Hold => 1, Status::Saturated => 2, Status::After => 3, Status::Gated => 4, Status::Late => 5, Status::Infeasible => 6 }
     }};
 }
 macro_rules! outcome {

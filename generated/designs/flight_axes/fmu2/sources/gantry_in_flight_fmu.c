@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f5828e28-4880-2a03-7696-fe6bb917b756}"
+#define TOKEN "{ba099a75-1f24-e034-c108-adf1f44f5750}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 8u

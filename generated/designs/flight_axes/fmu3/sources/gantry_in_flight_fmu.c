@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{99dad171-0f83-1d57-14f9-052f558a9b44}"
+#define TOKEN "{ed033cc4-ce77-455a-8688-0b831b944416}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 8u

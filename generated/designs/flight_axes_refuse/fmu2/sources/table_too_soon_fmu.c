@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{db62d987-be6d-134f-6822-4683c11ca846}"
+#define TOKEN "{d55c9519-0fea-6440-5ce9-03380325bdba}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 8u

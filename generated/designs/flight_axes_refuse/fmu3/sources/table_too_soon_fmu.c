@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4137ea60-1331-5e50-9ea9-063f40fe188a}"
+#define TOKEN "{ea6c43c0-be46-d99c-d92d-25e053ca65c2}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 8u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4cb98cb0-486c-1a68-81b1-674d8b3689d2}"
+#define TOKEN "{f592faf3-afd5-7626-2fab-3c7e5635ee48}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 9u

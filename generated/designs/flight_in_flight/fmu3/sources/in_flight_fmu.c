@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{1ead4e26-9a0f-8b98-1c07-4a0fcf868194}"
+#define TOKEN "{ae73a948-ea36-c254-1c98-10b3884c79a6}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 9u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{c11cde6b-de3a-2f1d-6818-572258137676}"
+#define TOKEN "{ea838e3d-446c-4338-ab51-3753db7cd90f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 10u

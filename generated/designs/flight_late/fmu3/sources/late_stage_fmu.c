@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{14e31696-13e0-e92e-ebd8-849380bdc85f}"
+#define TOKEN "{94670ff8-a017-d761-5d31-3a16a7f8fa90}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 10u

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2f4da561-3dbd-9de4-21d4-272d8e175177}"
+#define TOKEN "{72509179-c008-949a-2adb-615351353560}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 7u

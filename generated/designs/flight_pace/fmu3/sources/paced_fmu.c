@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7bff8a1c-c3a5-1827-b3e6-bf7e5d00988b}"
+#define TOKEN "{056ad987-2fd4-9a2d-c220-93065757d138}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 7u

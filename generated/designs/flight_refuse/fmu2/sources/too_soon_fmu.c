@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{aa3f926f-ac91-7a5e-97be-5374aa000710}"
+#define TOKEN "{ffa787e7-1c79-ade0-2155-0b22db15308f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

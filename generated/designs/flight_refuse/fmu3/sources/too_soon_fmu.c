@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f844f148-352d-059d-b764-c80ada65e5b6}"
+#define TOKEN "{c6bd72cf-beb7-3541-9e3d-cae3b8712389}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u

@@ -147,6 +147,10 @@ fn outputs_of_calls(spec: &Spec, signals: &Signals, kind3: &'static str) -> Vec<
     all.push(Variable {
         name: "time_to_go".to_owned(),
         causality: "output",
+        dependencies: match signals.steering {
+            Some(_) => Variable::output(&of_call("", ""), signals, kind3).dependencies,
+            None => String::new(),
+        },
         description: "Time left until the deadline t0 + tau [s], 0 after it".to_owned(),
         exponent: Some(1),
         ..Variable::blank(kind3)
@@ -181,7 +185,7 @@ fn status(signals: &Signals) -> String {
     match &signals.steering {
         None => known.to_owned(),
         Some(_) => format!(
-            "{known}, 5 the deadline was put off, -4 the deadline asked for is too soon and was not taken"
+            "{known}, 5 the deadline was put off, 6 no deadline was found that keeps the limits, -4 the deadline asked for is too soon and was not taken"
         ),
     }
 }

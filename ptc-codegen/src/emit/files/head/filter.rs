@@ -18,7 +18,7 @@ pub(super) fn purpose(spec: &Spec, keep: &Keep) -> Vec<String> {
             poles.join(", ")
         ),
         format!(
-            "From any other state u is held to the law {} of the chain of each x_i less its bound too, so that x_i is within it at the latest N samples after the last safe one, as long as u is not at its limits.",
+            "From any other state u is held to the law {} of the chain of each x_i less its bound too, so that x_i is within it at the latest N samples after the last safe one, as long as neither the limits of u nor those by other bounds are in the way.",
             keep.law
         ),
     ]

@@ -28,7 +28,7 @@ pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
         Late::Clip => None,
         Late::Refuse => Some("late refuse: arm_for refuses a deadline without such a plan (status E_SOON).".to_owned()),
         Late::Extend => Some(format!(
-            "late extend: a step without such a plan raises N to the soonest that has one (status LATE; deadline gives its tick){}. Where there is none, or 2^31 samples after the start, N stays, and u is clipped.",
+            "late extend: a step without such a plan raises N to the soonest that has one (status LATE; deadline gives its tick){}. Where none is found (status INFEASIBLE), or 2^31 samples after the start, N stays, and u is clipped; states may leave their bounds then.",
             if flight.soonest { ", and others lower N, by at most a sixteenth of the samples to go" } else { "" }
         )),
     });

@@ -205,7 +205,7 @@ impl Matlab<'_> {
         }
         if function.failures.contains(&Status::Range) {
             self.out.line(if self.gives == Gives::Progress { PROGRESS } else { STATUSES });
-            if self.code.is_filter() {
+            if self.code.is_filter() || self.code.function("arm_for").is_some() {
                 self.out.line(INFEASIBLE);
             }
         }
@@ -269,7 +269,7 @@ const PROGRESS: &str = "\
 
 /// The further status of a filter.
 const INFEASIBLE: &str =
-    "%      6  infeasible: not all bounds can be kept from here, u is the nearest to them";
+    "%      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid";
 
 const STATUSES: &str = "\
 %

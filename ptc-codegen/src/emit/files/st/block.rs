@@ -73,7 +73,14 @@ impl StructuredText<'_> {
 
     /// The statements of the block.
     fn body(&mut self) -> String {
-        self.no_input();
+        match self.no_command() {
+            None => self.no_input(),
+            Some(test) => {
+                self.out.open(format!("IF {test} THEN"));
+                self.no_input();
+                self.out.close("END_IF;");
+            }
+        }
         let (arm, step) = (self.function("arm").clone(), self.call().clone());
         self.start(&arm);
         self.out.turn("ELSIF NOT ready THEN");

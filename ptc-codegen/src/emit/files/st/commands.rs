@@ -66,12 +66,18 @@ impl StructuredText<'_> {
         }
     }
 
+    /// A test that the call is none of a command.
+    pub(super) fn no_command(&self) -> Option<String> {
+        let flags: Vec<_> = self.commands().iter().map(flag).collect();
+        (!flags.is_empty()).then(|| format!("NOT ({})", flags.join(" OR ")))
+    }
+
     /// Describes the commands.
     pub(super) fn about_commands(&self) -> Option<String> {
         let flags: Vec<_> = self.commands().iter().map(flag).collect();
         let all = flags.join(", ");
         (!flags.is_empty()).then(|| {
-            format!("Before the call of a tick it may be called with one of {all}, and what\nthese are given. On a negative status nothing has changed.")
+            format!("Before the call of a tick it may be called with one of {all}, and what\nthese are given; u stays as it is. On a negative status nothing has changed.")
         })
     }
 }

@@ -118,6 +118,7 @@ Numbers are those of IEEE 754.";
 const FLIGHT: &str = "\
 Of a deadline in flight:
    5  late: the deadline was put off, as a limit would have been exceeded; u is valid
+   6  infeasible: no deadline was found that keeps the limits; N stays, u is valid
   -4  a deadline too soon for the limits, or none that keeps them";
 
 /// The statuses of several inputs.
