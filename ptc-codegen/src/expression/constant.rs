@@ -21,6 +21,7 @@ pub(crate) fn real(node: &Node) -> Option<Fixed> {
 }
 
 /// Returns the ends of `[lower, upper]`, or one finite number for both, as doubles.
+#[cfg(feature = "simulate")]
 pub(crate) fn interval(node: &Node) -> Option<(f64, f64)> {
     let number = |node: &Node| real(node)?.number()?.to_f64().filter(|own| own.is_finite());
     match &node.value {

@@ -33,6 +33,7 @@ struct Limited<'a> {
 }
 
 /// Why nothing is known of the deadlines that the limits of a loop allow, and what to give.
+#[cfg_attr(not(feature = "lab"), allow(dead_code, unreachable_pub))]
 pub struct Unlimited {
     /// The reason.
     pub why: &'static str,
