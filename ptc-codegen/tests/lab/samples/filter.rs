@@ -97,8 +97,11 @@ fn step(own: &mut Instance, k: u32, x: &[f64], nominal: f64) -> (f64, Status) {
     (outcome.results.get("u").map_or(0.0, |u| u[0]), outcome.status)
 }
 
-/// Bounds, poles and limits of filters of each order for which no bound gives way.
-const SOUND: [(&str, [&str; 3], [f64; 4], &str, f64); 5] = [
+/// Order, bounds and poles of a filter, its upper bounds as numbers, u_max and g.
+type Design = (&'static str, [&'static str; 3], [f64; 4], &'static str, f64);
+
+/// Filters of each order for which no bound gives way.
+const SOUND: [Design; 5] = [
     ("1", ["0.5", "-0.25", "-20"], [0.5, 0.0, 0.0, 0.0], "3", 1.0),
     ("2", ["0.5, 0.8", "-0.25, -1", "-10, -30"], [0.5, 0.8, 0.0, 0.0], "10", 1.0),
     ("2", ["0.5, 0.8", "-0.25, -1", "-10, -30"], [0.5, 0.8, 0.0, 0.0], "4", -2.5),

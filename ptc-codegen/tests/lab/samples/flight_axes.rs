@@ -103,11 +103,10 @@ impl Plants {
 
     /// The limits that are kept.
     fn keep(&self, u: &[f64]) -> bool {
-        let each = self.0.iter().zip(u).zip(LIMITS);
-        each.map(|((own, u), (most, speed))| {
+        let mut each = self.0.iter().zip(u).zip(LIMITS);
+        each.all(|((own, u), (most, speed))| {
             u.abs() <= most * ROUNDED && own.x[1].abs() <= speed * ROUNDED
         })
-        .all(|kept| kept)
     }
 }
 
