@@ -17,6 +17,7 @@ import math
 import pathlib
 import random
 import subprocess
+import sys
 import tempfile
 from fractions import Fraction
 
@@ -215,6 +216,7 @@ def runs(command, arguments):
                         counts["gave_way"] += 1
                         counts["silent"] += INFEASIBLE not in statuses[-1 - plant.inputs :]
     print(arguments.part, counts)
+    return counts["wrong"] > 0 or counts["silent"] > 0 or max(counts["worst"], counts["late"]) > 1
 
 
 def main():
@@ -224,8 +226,8 @@ def main():
     parser.add_argument("--designs", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
-    runs(str(pathlib.Path(arguments.command).resolve()), arguments)
+    return int(runs(str(pathlib.Path(arguments.command).resolve()), arguments))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

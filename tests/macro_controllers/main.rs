@@ -5,6 +5,8 @@ mod axes;
 mod edges;
 mod exact;
 mod example4;
+mod filter;
+mod flight;
 mod keys;
 mod laws;
 mod quadrotor;

@@ -5,7 +5,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::{Outcome, Verdict, bounds, sampled};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::{digits, digits_up};
-use crate::expression::{Expression, Node};
+use crate::internal::fault;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Edge, Keep, Spec, product_of_rates};
 
@@ -85,7 +85,7 @@ fn gaps(spec: &Spec, keep: &Keep, rates: &[BigRational]) -> Vec<Gap> {
 
 /// The part of a bound of state `of`, from 0, or of u, that the bounds of the states before it take at most.
 ///
-/// Where x_i is kept, q = (Delta + a_i) ... (Delta + a_{j-1}) z_i exceeds z_j by members of its cone and by
+/// With x_i kept, q = (Delta + a_i) ... (Delta + a_{j-1}) z_i exceeds z_j by members of its cone and by
 /// sum_k e_k(a_i, ..., a_{j-2}) z_{j-k}, k < j - i.
 fn need(keep: &Keep, rates: &[BigRational], of: usize, edge: Edge) -> Need {
     let mut most = integer(0);
@@ -176,12 +176,9 @@ impl Gap {
     }
 }
 
-/// The known force f.
+/// The known force f, which the reader of a filter demands.
 fn force(spec: &Spec) -> BigRational {
-    match spec.drift.as_ref().map(Expression::node) {
-        Some(Node::Number(force)) => force.clone(),
-        _ => integer(0),
-    }
+    spec.known_force().unwrap_or_else(|| fault("a filter without a known f"))
 }
 
 fn double(number: &BigRational) -> f64 {

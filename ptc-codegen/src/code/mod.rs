@@ -172,6 +172,15 @@ impl Code {
         all
     }
 
+    /// The functions of a clock in samples that may fail and are not the call of each tick.
+    pub fn commands(&self) -> impl Iterator<Item = &Function> {
+        let in_samples = self.start.is_none();
+        let is_command = |function: &&Function| {
+            !function.failures.is_empty() && !matches!(function.name, "step" | "update")
+        };
+        self.functions.iter().filter(move |_| in_samples).filter(is_command)
+    }
+
     /// The function called `name`.
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions.iter().find(|function| function.name == name)

@@ -7,7 +7,7 @@ use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
 use super::style::{self, Pen};
 use super::{pdf, pixels};
 
-/// What is drawn on a page.
+/// Content of a page.
 pub(super) trait Drawing {
     /// Title of the file.
     fn title(&self) -> &str;

@@ -62,6 +62,14 @@ impl Spec {
     }
 }
 
+impl Spec {
+    /// Returns true if the plant is one chain of integrators, whose x1 counts from a target.
+    pub(crate) fn is_one_chain(&self) -> bool {
+        let linear = self.sampled().is_some_and(|own| own.linear.is_some());
+        !linear && self.axes.is_none() && !self.has_model()
+    }
+}
+
 impl Sampled {
     /// Returns the bounds of each chain, of which there are several where there are axes; `None` where one has none.
     pub(crate) fn horizons(&self, spec: &Spec) -> Option<Vec<Horizon>> {
@@ -75,8 +83,7 @@ impl Sampled {
     /// Returns the bounds from which a deadline is known to keep the limits; `None` for plants that are not one chain,
     /// with a reference, whose future decides u, and for laws whose u has no closed form to its end.
     pub(crate) fn horizon(&self, spec: &Spec) -> Option<Horizon> {
-        let is_chain = self.linear.is_none() && spec.axes.is_none() && !spec.has_model();
-        if !is_chain || spec.reference.is_some() {
+        if !spec.is_one_chain() || spec.reference.is_some() {
             return None;
         }
         let state_max = |i| self.flight.as_ref().and_then(|own| own.state_max(i));

@@ -304,6 +304,13 @@ impl Spec {
         normal(&known).number().filter(|gain| !gain.is_zero()).cloned()
     }
 
+    /// f where it is a known number, 0 without one; `None` where it depends on more than fixed parameters.
+    pub(crate) fn known_force(&self) -> Option<BigRational> {
+        let Some(force) = &self.drift else { return Some(BigRational::default()) };
+        let known = force.known(&|p| self.fixed.get(&p).and_then(Fixed::number).cloned());
+        normal(&known).number().cloned()
+    }
+
     /// The model whose f and g a controller in samples knows at the samples alone: one that is not linear.
     pub fn model_in_samples(&self) -> Option<&Model> {
         self.model.as_deref().filter(|_| self.sampled().is_some())

@@ -217,7 +217,7 @@ impl Campaign {
         names.extend(self.spec.state_names().iter().map(|x| format!("{x}_0")));
         names.extend(self.intervals.iter().map(|(symbol, _)| symbol.spelling()));
         names.extend(self.gains().map(|_| GAIN.to_owned()));
-        names.extend(self.events.uncertain().map(|(name, _)| name));
+        names.extend(self.events.uncertain().map(|own| own.name.clone()));
         names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}")));
         if self.has_sides() {
             names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));

@@ -77,7 +77,7 @@ impl Campaign {
     pub(super) fn sides(&self) -> impl Iterator<Item = Interval> {
         let constants = self.intervals.iter().map(|(_, interval)| *interval);
         let box_of_x0 = self.x0.iter().copied();
-        let of_events = self.events.uncertain().map(|(_, interval)| interval);
+        let of_events = self.events.uncertain().map(|own| (own.low, own.high));
         let constants = constants.chain(self.gains()).chain(of_events);
         std::iter::once(self.tau).chain(box_of_x0).chain(constants)
     }
@@ -87,7 +87,7 @@ impl Campaign {
         let constants = self.intervals.iter().map(|(symbol, _)| symbol.spelling());
         let states = self.spec.state_names();
         let gain = self.gains().map(|_| GAIN.to_owned());
-        let of_events = self.events.uncertain().map(|(name, _)| name);
+        let of_events = self.events.uncertain().map(|own| own.name.clone());
         let constants = constants.chain(gain).chain(of_events);
         std::iter::once("tau".to_owned()).chain(states).chain(constants)
     }

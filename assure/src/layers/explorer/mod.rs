@@ -46,8 +46,8 @@ const PLAYWRIGHT: &str = "playwright==1.65.2";
 /// Languages with a tab.
 const LANGUAGES: [&str; 7] = ["c", "rust", "cpp", "matlab", "python", "st", "plcopen"];
 
-/// Most bytes of the page when it is compressed by gzip, and milliseconds to its first answer, beside a gate that keeps the
-/// other processor busy: alone it takes about half.
+/// Most bytes of the page when it is compressed by gzip, and milliseconds to its first answer. Another gate may keep the
+/// other processor busy meanwhile, which has doubled that time.
 const BYTES: usize = 1_100_000;
 const START: f64 = 2000.0;
 

@@ -58,7 +58,7 @@ impl Outline {
             },
             inputs: spec.axes.as_ref().map(|axes| axes.count),
             references: spec.references(),
-            real: c::real(spec),
+            real: c::real(spec.precision),
             zero: if spec.precision == Precision::F32 { "0.0f" } else { "0.0" },
             guard: spec.guard,
             latches: spec.latches(),

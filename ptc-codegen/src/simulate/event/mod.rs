@@ -58,13 +58,16 @@ struct Planned {
 
 /// Number of an event: an interval, whose ends are equal if it is known.
 #[derive(Clone, Debug, PartialEq)]
-struct Quantity {
-    name: String,
-    low: f64,
-    high: f64,
+pub struct Quantity {
+    /// Its name, such as `event1_move`.
+    pub name: String,
+    /// The least value.
+    pub low: f64,
+    /// The greatest value.
+    pub high: f64,
 }
 
-/// What a table does.
+/// Action of a table.
 #[derive(Clone, Debug, PartialEq)]
 enum Action {
     Arm,
@@ -85,17 +88,9 @@ impl Events {
         self.0.is_empty()
     }
 
-    /// Returns the name and the interval of each number that is not known, such as `event1_move`.
-    pub fn uncertain(&self) -> impl Iterator<Item = (String, (f64, f64))> {
-        let of_table = |table: &Planned| {
-            let actions = table.actions.iter().flat_map(Action::quantities);
-            std::iter::once(&table.at)
-                .chain(actions)
-                .filter(|own| own.is_open())
-                .map(|own| (own.name.clone(), (own.low, own.high)))
-                .collect::<Vec<_>>()
-        };
-        self.0.iter().flat_map(of_table)
+    /// Returns each number that is not known.
+    pub fn uncertain(&self) -> impl Iterator<Item = &Quantity> {
+        self.0.iter().flat_map(Planned::quantities).filter(|own| own.is_open())
     }
 
     /// Returns the events of a run that takes these values of what is uncertain, in their order.
@@ -116,7 +111,7 @@ impl Events {
 
     /// Returns the events of a run in which every number is the largest that it may be.
     pub fn latest(&self) -> Vec<Event> {
-        let high: Vec<_> = self.uncertain().map(|(_, (_, high))| high).collect();
+        let high: Vec<_> = self.uncertain().map(|own| own.high).collect();
         self.with(&high)
     }
 
@@ -124,6 +119,12 @@ impl Events {
     pub fn arms(&self) -> bool {
         let arms = |action: &Action| matches!(action, Action::Arm | Action::Deadline(..));
         self.0.iter().flat_map(|table| &table.actions).any(arms)
+    }
+}
+
+impl Planned {
+    fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        std::iter::once(&self.at).chain(self.actions.iter().flat_map(Action::quantities))
     }
 }
 

@@ -69,13 +69,19 @@ impl Reader<'_> {
 
     /// Refuses names that a quantity of an event has too.
     pub(super) fn names_apart(&mut self, entries: &[Entry], events: &Events) {
-        for (name, _) in events.uncertain() {
+        for name in events.uncertain().map(|own| &own.name) {
             let mut symbols = self.plant.bounds.keys().map(|symbol| symbol.spelling());
-            if self.quantities().contains(&name) || symbols.any(|symbol| symbol == name) {
+            if self.quantities().contains(name) || symbols.any(|symbol| symbol == *name) {
                 let message = format!("`{name}` is the name of a quantity of an event");
                 let named = |entry: &&Entry| entry.key.ends_with(&format!(".{name}"));
                 let place = entries.iter().find(named).map(|entry| entry.place);
-                self.found.push("conflict", name, place, message, "call it something else");
+                self.found.push(
+                    "conflict",
+                    name.as_str(),
+                    place,
+                    message,
+                    "call it something else",
+                );
             }
         }
     }

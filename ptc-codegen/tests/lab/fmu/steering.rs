@@ -116,7 +116,7 @@ int main(void)
 }
 "#;
 
-/// What the importer prints for a design.
+/// Returns the numbers that the importer prints for a design.
 fn told(folder: &Path, design: &[&str], defines: &[&str]) -> Vec<f64> {
     let common = ["--lang=fmu2", "--n=2", "--mu=exp(a=1)", "--clock=samples", "--sample-time=0.01"];
     written(&[&common[..], &["--tau=1", "--name=stage"], design].concat(), folder);

@@ -46,14 +46,14 @@ fn set(spec: &Spec) -> FeasibleSet {
 }
 
 /// The state at a part of the way to a point of the plane.
-fn state((x1, x2): (f64, f64), part: f64, n: usize) -> Vec<f64> {
-    let mut x = vec![part * x1, part * x2];
+fn state(point: (f64, f64), part: f64, n: usize) -> Vec<f64> {
+    let mut x = vec![part * point.0, part * point.1];
     x.resize(n, 0.0);
     x
 }
 
 #[test]
-fn curves_are_where_the_emitted_controller_finds_the_deadline() {
+fn curves_equal_the_soonest_deadlines_of_the_controller() {
     for (n, more) in DESIGNS {
         let (spec, code) = design(n, more);
         let mut run = Run::new(&code, "x", n);
@@ -77,7 +77,7 @@ fn curves_are_where_the_emitted_controller_finds_the_deadline() {
 
 /// For the law of least energy of a double integrator u is a line, so the bounds are exact.
 #[test]
-fn the_marked_set_ends_where_u_is_clipped() {
+fn states_beyond_the_marked_set_clip_u() {
     for (n, more) in DESIGNS.iter().take(1).chain(&DESIGNS[4..6]) {
         let (spec, code) = design(*n, more);
         let kept = set(&spec).kept;
@@ -106,7 +106,7 @@ fn the_marked_set_ends_where_u_is_clipped() {
 }
 
 #[test]
-fn sets_that_are_not_known_name_the_reason() {
+fn unknown_sets_are_refused_with_the_reason() {
     for (n, more, why) in [
         (1, &[][..], "order 1"),
         (2, &[("u_max", "inf")], "u has no limit"),

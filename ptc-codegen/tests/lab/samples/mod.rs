@@ -4,6 +4,7 @@
 mod calls;
 mod feasible;
 mod filter;
+mod filter_in_c;
 mod flight;
 mod flight_axes;
 mod flight_axes_in_c;

@@ -7,7 +7,6 @@ mod set;
 use num_traits::ToPrimitive;
 
 use crate::diagnostic::{digits_down, digits_up};
-use crate::expression::{Expression, Node};
 use crate::linear::{Horizon, Peak, Signal};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::range::Range;
@@ -237,11 +236,5 @@ fn search(rest: u32, longest: u32, keeps: &mut dyn FnMut(u32) -> bool) -> Option
 
 /// Returns the known force that the law cancels, in units of u; `None` where it is left to run time.
 fn force(spec: &Spec, sampled: &Sampled) -> Option<f64> {
-    let Some(constant) = spec.drift.as_ref() else { return Some(0.0) };
-    let over_gain = sampled.gain.recip();
-    match Expression::node(constant) {
-        Node::Number(force) => (force * over_gain).to_f64(),
-        Node::Parameter(parameter) => (spec.fixed.get(parameter)?.number()? * over_gain).to_f64(),
-        _ => None,
-    }
+    (spec.known_force()? / &sampled.gain).to_f64()
 }

@@ -76,7 +76,7 @@ impl<'a> Plane<'a> {
     }
 
     /// Returns true if the limits are kept from a state with `left` samples to go.
-    fn keeps(&mut self, (x1, x2): (f64, f64), left: u32) -> bool {
+    fn keeps(&mut self, x: (f64, f64), left: u32) -> bool {
         let limited = self.limited;
         let all = self.known.entry(left).or_insert_with(|| {
             let mut units = limited.units.iter().take(2).map(|z| limited.horizon.values(z, left));
@@ -86,7 +86,7 @@ impl<'a> Plane<'a> {
         });
         all.iter().all(|[first, second]| {
             let (limits, value) =
-                (limited.limits(first.signal), x1 * first.value + x2 * second.value);
+                (limited.limits(first.signal), x.0 * first.value + x.1 * second.value);
             match first.is_signed {
                 true => limits.contains(value),
                 false => value.abs() <= limits.radius(),

@@ -32,8 +32,8 @@ pub(in crate::emit) fn sampled_files_with_proof(spec: &Spec, program: &Code) -> 
 }
 
 /// The type of numbers.
-pub(in crate::emit) fn real(spec: &Spec) -> &'static str {
-    match spec.precision {
+pub(in crate::emit) fn real(precision: Precision) -> &'static str {
+    match precision {
         Precision::F32 => "float",
         Precision::F64 => "double",
     }

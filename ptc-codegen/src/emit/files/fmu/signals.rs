@@ -29,7 +29,7 @@ pub(super) struct Signals {
     /// Dimensions of the arrays that hold the states and the references.
     pub(super) of_states: Vec<usize>,
     pub(super) of_references: Vec<usize>,
-    /// What may change in flight.
+    /// Signals of a deadline in flight.
     pub(super) steering: Option<Steering>,
 }
 

@@ -7,7 +7,7 @@ use crate::code::{Code, Function, Shape};
 use crate::request::Spec;
 use crate::samples::controller;
 
-/// What an importer may change while a controller in samples runs.
+/// Inputs that change a controller in samples while it runs.
 pub(super) struct Steering {
     /// Inputs that are numbers, members of `steering`.
     pub(super) inputs: Vec<Signal>,
@@ -17,7 +17,7 @@ pub(super) struct Steering {
     pub(super) target: bool,
     /// True if estimates move with the target.
     pub(super) moves: bool,
-    /// True if `arm_for` is given what is measured.
+    /// True if `arm_for` takes the measurement.
     pub(super) judges: bool,
     /// True if the drive may report the input that it applied.
     pub(super) applied: bool,
@@ -27,7 +27,7 @@ pub(super) struct Steering {
     pub(super) disturbance: bool,
     /// True if the first of the estimates is that of x1.
     pub(super) estimates_x1: bool,
-    /// The search for the soonest deadline, where there is one: true if it is given what is measured.
+    /// The search for the soonest deadline, where there is one: true if it takes the measurement.
     pub(super) soonest: Option<bool>,
 }
 
@@ -41,7 +41,7 @@ impl Steering {
         let mut steering = Self {
             inputs: Vec::new(),
             switches: Vec::new(),
-            target: is_chain(spec),
+            target: spec.is_one_chain() && spec.reference.is_none(),
             moves: code.function("move").is_some(),
             judges: takes_state(&code, "arm_for"),
             applied: code.function("applied").is_some(),
@@ -89,12 +89,6 @@ impl Steering {
             self.switches.push(signal("known", about));
         }
     }
-}
-
-/// Returns true for one chain of which x1 is a place.
-fn is_chain(spec: &Spec) -> bool {
-    let linear = spec.sampled().is_some_and(|own| own.linear.is_some());
-    !linear && !spec.has_model() && spec.axes.is_none() && spec.reference.is_none()
 }
 
 /// The length of the array that a function is given.

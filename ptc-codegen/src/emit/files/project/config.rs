@@ -129,7 +129,7 @@ impl Config {
             name: spec.name(),
             type_name: spec.type_name(),
             n: spec.n,
-            real: if language == Language::C { c::real(spec) } else { rust::real(spec) },
+            real: if language == Language::C { c::real(spec.precision) } else { rust::real(spec) },
             zero: words.number(0.0),
             half: words.number(0.5),
             settings: settings(spec, parameters, &example, &words),

@@ -3,7 +3,6 @@
 use super::numbers::Numbers;
 use crate::code::{Code, Function, Shape};
 use crate::emit::files::c;
-use crate::parameter::Precision;
 use crate::selftest::samples::{Command, commands, count, is_measured, numbers};
 
 /// The functions, each with its call in C.
@@ -38,7 +37,7 @@ fn written(code: &Code, function: &Function) -> String {
             (_, name) if is_measured(name) => "call->y".to_owned(),
             (Shape::Real, _) => format!("call->given[{at}]"),
             (Shape::Lists(_, columns), _) => {
-                format!("(const {} (*)[{columns}])&call->given[{at}]", real(code.precision))
+                format!("(const {} (*)[{columns}])&call->given[{at}]", c::real(code.precision))
             }
             _ => format!("&call->given[{at}]"),
         };
@@ -50,10 +49,6 @@ fn written(code: &Code, function: &Function) -> String {
         arguments.push("&found".to_owned());
     }
     format!("{}_{}({})", code.name, function.name, arguments.join(", "))
-}
-
-fn real(precision: Precision) -> &'static str {
-    if precision == Precision::F32 { "float" } else { "double" }
 }
 
 impl Numbers<'_> {

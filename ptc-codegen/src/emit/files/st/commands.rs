@@ -2,19 +2,14 @@
 //! Boolean input, and its arguments are inputs with its name before theirs.
 
 use super::super::block::{Block, Ends};
+use super::StructuredText;
 use super::library::{Kind, Member};
-use super::{Gives, StructuredText};
-use crate::code::{Function, Owner, Shape, Variable};
+use crate::code::{Function, Shape, Variable};
 
 impl StructuredText<'_> {
     /// The commands, by the names of their functions.
     pub(super) fn commands(&self) -> Vec<Function> {
-        if self.code.start.is_some() {
-            return Vec::new();
-        }
-        let is_command = |gives| matches!(gives, Gives::Status | Gives::Count);
-        let own = self.code.functions.iter().filter(|f| f.owner == Owner::Controller);
-        own.filter(|f| is_command(Gives::of(f))).cloned().collect()
+        self.code.commands().cloned().collect()
     }
 
     /// The inputs of the commands.

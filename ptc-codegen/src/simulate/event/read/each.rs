@@ -14,9 +14,8 @@ impl Reader<'_> {
             Some((count, _)) => self.each(table, "move", node, count),
             None => self.quantity(table, "move", given, ANY).into_iter().collect(),
         };
-        let chain = self.spec.sampled().is_none_or(|own| own.linear.is_none())
-            && (axes.is_some() || !self.spec.has_model() && self.spec.axes.is_none())
-            && self.spec.larger.is_none();
+        let chain = axes.is_some() || self.spec.is_one_chain();
+        let chain = chain && self.spec.larger.is_none();
         let help = "a target moves along a chain, whose x1 counts from it";
         if moves.is_empty() || !self.needs(table.key, "move", node, chain, help) {
             return Vec::new();
