@@ -23,18 +23,23 @@ pub fn designs() -> Vec<(String, Spec)> {
         .collect()
 }
 
+/// The examples of one loop with a clock in samples.
+pub fn examples_in_samples() -> Vec<Spec> {
+    let examples = of_folder("example", "examples").map(|(_, spec)| spec);
+    examples.filter(|spec| spec.sampled().is_some() && spec.axes.is_none()).collect()
+}
+
 /// The designs in a folder, in the order of their names, which begin with the word for its kind.
-fn of_folder(kind: &str, folder: &str) -> Vec<(String, Spec)> {
+fn of_folder(kind: &str, folder: &str) -> impl Iterator<Item = (String, Spec)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder);
     let entries = fs::read_dir(folder).expect("a folder of designs");
     let mut files: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
     files.retain(|path| path.extension().is_some_and(|own| own == "toml"));
     files.sort();
-    let named = files.iter().map(|path| {
+    files.into_iter().map(move |path| {
         let stem = path.file_stem().expect("a name").to_string_lossy();
-        (format!("{kind}_{stem}"), of_file(path))
-    });
-    named.collect()
+        (format!("{kind}_{stem}"), of_file(&path))
+    })
 }
 
 /// The controller of a design file.

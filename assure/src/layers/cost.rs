@@ -10,6 +10,7 @@ use super::seeded::put_in;
 use crate::context::{Context, workspace};
 use crate::harness::cost::{measure, plugin};
 use crate::harness::machine::Machine;
+use crate::harness::net::examples_in_samples;
 use crate::harness::selftest::sources;
 use crate::harness::{empty, in_pairs};
 use crate::layer::{Finding, Layer, Table};
@@ -54,7 +55,9 @@ pub fn table(costs: &[Measured]) -> String {
 }
 
 fn run(context: &Context) -> Result<Finding> {
-    let measured = costs(context, &context.families(context.order(3)))?;
+    let mut specs = context.families(context.order(3));
+    specs.extend(examples_in_samples());
+    let measured = costs(context, &specs)?;
     let path = workspace().join("assurance/costs.tsv");
     if std::env::var_os(UPDATE).is_some() {
         fs::create_dir_all(path.parent().context("a folder")?)?;

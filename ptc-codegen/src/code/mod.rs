@@ -8,6 +8,7 @@
 mod bounds;
 mod branch;
 mod check;
+mod constant;
 mod expression;
 mod function;
 mod index;
@@ -25,6 +26,7 @@ mod visit;
 
 pub use bounds::{Bounds, limits_in_order};
 pub use branch::{Branch, Condition, Taken};
+pub use constant::Constant;
 pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Owner};
 pub use index::Index;

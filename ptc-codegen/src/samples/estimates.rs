@@ -107,7 +107,7 @@ impl Builder<'_> {
                         .mul(self.period(power(i) - power(j)));
                     let name = format!("phi{}_{}", i + 1, j + 1);
                     let state = Expr::field(format!("{}_hat", names[j]));
-                    self.keep(&name, "prediction from a state", value).mul(state)
+                    self.keep(&name, &predicted_from(&names, i, j), value).mul(state)
                 })
                 .collect();
             let force = self.force();
@@ -174,4 +174,9 @@ impl Builder<'_> {
         }
         functions
     }
+}
+
+/// The meaning of a number by which an estimate is predicted from another one.
+pub(super) fn predicted_from(names: &[String], i: usize, j: usize) -> String {
+    format!("prediction of {} from {}", names[i], names[j])
 }

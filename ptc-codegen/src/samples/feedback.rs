@@ -59,7 +59,7 @@ impl Builder<'_> {
         let own = rows(&gains, &self.parameter(Parameter::A));
         let mut known = vec![Statement::Note("The exact law in samples.".to_owned())];
         known.append(&mut count.law.statements);
-        let (before, value) = self.formula(&flat, &own, ["z", "w"], &count.law.now);
+        let (before, value) = self.formula(&flat, &own, ["z", "w", "m0f"], &count.law.now);
         known.extend(before);
         known.push(law.is(value));
         match std::mem::replace(&mut count.takeover, Takeover::Never) {

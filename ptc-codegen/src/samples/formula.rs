@@ -4,6 +4,7 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use super::controller::Builder;
 use super::coordinates::Coordinates;
+use super::falling::FallingPowers;
 use super::rows::deadbeat;
 use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Shape, Statement};
@@ -67,7 +68,7 @@ impl Builder<'_> {
         &mut self,
         flat: &Flat,
         rows: &[Expr],
-        [z, weight]: [&str; 2],
+        [z, weight, falling]: [&str; 3],
         now: &Now,
     ) -> (Vec<Statement>, Expr) {
         let mut statements = Vec::with_capacity(rows.len());
@@ -81,16 +82,28 @@ impl Builder<'_> {
                 value,
             ));
         }
-        let horner = (0..rows.len()).fold(Expr::integer(0), |sum, i| {
-            let own = Expr::local(self.named(&format!("{z}{}", i + 1)));
+        let own = (1..=rows.len()).map(|i| Expr::local(self.named(&format!("{z}{i}"))));
+        let factors = (0..rows.len()).map(|i| {
             let beyond = i64::from(now.shift) - i64::try_from(i).unwrap_or(0);
-            sum.add(own).div(now.left.clone().add(Expr::integer(beyond)))
+            now.left.clone().add(Expr::integer(beyond))
         });
+        let (own, factors): (Vec<_>, Vec<_>) = (own.collect(), factors.collect());
+        let sum = match self.multiplies(&self.samples(), rows.len()) {
+            true => {
+                let name = self.named(falling);
+                let powers = FallingPowers::new(&name, factors, &mut statements);
+                powers.numerator(own).div(powers.last())
+            }
+            false => own
+                .into_iter()
+                .zip(factors)
+                .fold(Expr::integer(0), |sum, (own, factor)| sum.add(own).div(factor)),
+        };
         let drifts: Vec<_> = flat.of.drift.iter().map(|a| -a).collect();
         let drifts = (0..flat.states.len()).map(|j| Expr::Number(flat.column(&drifts, j)));
         let drifts = drifts.collect();
         let drifts = self.combine(flat, "c", drifts);
-        (statements, horner.add(drifts))
+        (statements, sum.add(drifts))
     }
 
     /// Coordinate `i`, from 0.
@@ -124,7 +137,11 @@ impl Builder<'_> {
             .map(|(j, number)| {
                 let value = number.mul(self.period(-flat.of.powers[j]));
                 let name = self.named(&format!("{name}_{}", j + 1));
-                let weight = self.keep(&name, "weight of a state in the law", value);
+                let about = match j.checked_sub(self.spec.n) {
+                    None => format!("weight of x{} in the law", j + 1),
+                    Some(i) => format!("weight of u{} in the law", i + 1),
+                };
+                let weight = self.keep(&name, &about, value);
                 weight.mul(flat.states[j].clone())
             })
             .collect();

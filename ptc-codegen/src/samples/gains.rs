@@ -6,6 +6,7 @@ use num_traits::ToPrimitive;
 
 use super::controller::Builder;
 use super::ends::{HELD_PART, is_noisy, switch};
+use super::falling::FallingPowers;
 use super::flight::ROUND;
 use super::observer::{Injection, Recurrence};
 use super::rows::rows_of_numbers;
@@ -63,6 +64,26 @@ fn lasting(all: &[Named], give: impl Fn(String, Expr) -> Statement) -> Vec<State
     all.iter().flat_map(of).map(|(place, gain)| give(place, gain)).collect()
 }
 
+/// The way in which gains are divided by the samples to go.
+enum Over {
+    /// By one reciprocal of their product.
+    Product(FallingPowers),
+    /// By one of each, where the product may be too large.
+    Each,
+}
+
+impl Over {
+    /// The sum of the weights, each over its factors.
+    fn quotient(&self, weights: Vec<Expr>) -> Expr {
+        match self {
+            Self::Product(powers) => powers.numerator(weights).mul(Expr::local("r0")),
+            Self::Each => (0..).zip(weights).fold(Expr::integer(0), |sum, (j, weight)| {
+                sum.add(weight).mul(Expr::local(format!("r{j}")))
+            }),
+        }
+    }
+}
+
 fn set(place: String, value: Expr) -> Statement {
     Statement::Set(Place::Local(place), value)
 }
@@ -116,7 +137,7 @@ impl<'a> Builder<'a> {
             let places = (0..own.in_round().units.len()).map(|i| own.place(i));
             body.extend(places.map(|place| Statement::Variable(place, Shape::Real)));
         }
-        let mut gains = self.law_of_round(all, order);
+        let mut gains = self.law_of_round(all, order, end);
         if round.eps.is_none() {
             let ended = self.end_of_round(all, order, &switch(round));
             let from = BigRational::from_integer(switch(round));
@@ -138,7 +159,7 @@ impl<'a> Builder<'a> {
     fn count_of_round(&mut self, round: &Round, end: &Expr) -> Vec<Statement> {
         let round_left = match self.flight() {
             Some(_) => Expr::field(ROUND),
-            None => end.clone(),
+            None => end.clone().named("observer_samples", "samples of the round of the observer"),
         };
         let left = round_left.count_left(Expr::local("elapsed"));
         let from = BigRational::from_integer(switch(round));
@@ -166,25 +187,37 @@ impl<'a> Builder<'a> {
     }
 
     /// The gains of a round before deadbeat.
-    fn law_of_round(&mut self, all: &[Named], order: usize) -> Vec<Statement> {
+    fn law_of_round(&mut self, all: &[Named], order: usize, end: &Expr) -> Vec<Statement> {
         let mut known = Vec::new();
-        for j in 0..order {
-            let below = Expr::local("o0").sub(Expr::integer(i64::try_from(j).unwrap_or(0)));
-            let value = Expr::integer(1).div(below);
-            known.push(Statement::Let(format!("r{j}"), Shape::Real, value));
-        }
+        let factors =
+            (0..order).map(|j| Expr::local("o0").sub(Expr::integer(i64::try_from(j).unwrap_or(0))));
+        let one = Expr::integer(1);
+        let over = match self.multiplies(end, order) {
+            true => {
+                let powers = FallingPowers::new("o0f", factors.collect(), &mut known);
+                known.push(Statement::Let("r0".to_owned(), Shape::Real, one.div(powers.last())));
+                Over::Product(powers)
+            }
+            false => {
+                let own = |(j, factor)| {
+                    Statement::Let(format!("r{j}"), Shape::Real, one.clone().div(factor))
+                };
+                known.extend((0..).zip(factors).map(own));
+                Over::Each
+            }
+        };
         for own in all {
             let InRound { injection, units } = own.in_round();
             for (i, (numbers, constant)) in injection.law.iter().enumerate() {
-                let mut sum = Expr::integer(0);
-                for (j, number) in numbers.iter().enumerate() {
+                let weights = numbers.iter().zip(1..).map(|(number, j): (_, usize)| {
                     let value = Expr::Number(number.clone()).mul(units[i].clone());
-                    let name = format!("q{}{}_{}", own.of, i + 1, j + 1);
-                    let weight = self.keep(&name, "weight in the observer's gains", value);
-                    sum = sum.add(weight).mul(Expr::local(format!("r{j}")));
-                }
+                    let name = format!("q{}{}_{j}", own.of, i + 1);
+                    let about = format!("weight in the observer's gain {}", own.place(i));
+                    self.keep(&name, &about, value)
+                });
+                let gain = over.quotient(weights.collect());
                 let constant = Expr::Number(constant.clone()).mul(units[i].clone());
-                known.push(set(own.place(i), sum.add(constant)));
+                known.push(set(own.place(i), gain.add(constant)));
             }
         }
         known

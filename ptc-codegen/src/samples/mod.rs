@@ -15,6 +15,7 @@ mod controller;
 mod coordinates;
 mod ends;
 mod estimates;
+mod falling;
 mod feedback;
 mod filter;
 mod flight;

@@ -9,6 +9,7 @@ use std::ops::{Add, Mul, Sub};
 use num_traits::Zero;
 
 use super::controller::Builder;
+use super::estimates::predicted_from;
 use super::gains::{InRound, Named};
 use super::observer::Injection;
 use crate::algebra::BigRational;
@@ -82,9 +83,9 @@ impl Builder<'_> {
             let mut sum = Expr::integer(0);
             for j in 0..names.len() {
                 let number = Expr::Number(pair.phi.at(i, j).clone());
-                let about = "prediction from a state";
+                let about = predicted_from(&names, i, j);
                 sum = sum.add(
-                    self.keep(&format!("phi{}_{}", i + 1, j + 1), about, number).mul(state(j)),
+                    self.keep(&format!("phi{}_{}", i + 1, j + 1), &about, number).mul(state(j)),
                 );
             }
             for (own, l) in injections.iter().zip(1..) {

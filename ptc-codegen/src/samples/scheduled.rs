@@ -62,7 +62,7 @@ impl Builder<'_> {
         let held = held_samples(self.spec).and_then(|held| held.to_integer().to_u32());
         let Some(held) = held else { fault("a table of gains with an eps at run time") };
         let least = Expr::Count(schedule.least().max(held));
-        let left = samples.clone().count_left(Expr::local("elapsed"));
+        let left = Self::counted(samples).count_left(Expr::local("elapsed"));
         let mut body = vec![Statement::Let("left".to_owned(), Shape::Count, left)];
         let mut planned = Expr::local("left");
         if ending.spare > 0 {

@@ -73,7 +73,8 @@ impl Builder<'_> {
     ) -> Vec<Statement> {
         let own = rows_of_least_energy(end.law, flat.order()).into_iter().map(Expr::Number);
         let Counted { statements: mut softly, now } = count.last;
-        let (before, value) = self.formula(flat, &own.collect::<Vec<_>>(), ["y", "q"], &now);
+        let (before, value) =
+            self.formula(flat, &own.collect::<Vec<_>>(), ["y", "end", "m1f"], &now);
         softly.extend(before);
         softly.push(law.is(value));
         let mut statements =
@@ -148,7 +149,7 @@ impl Builder<'_> {
         from: Option<Expr>,
     ) -> Countdown {
         let order = self.spec.loop_order();
-        let left = samples.clone().count_left(Expr::local("elapsed"));
+        let left = Self::counted(samples).count_left(Expr::local("elapsed"));
         let mut before = vec![Statement::Let("left".to_owned(), Shape::Count, left)];
         let planned = ending.planned();
         let known = hold.as_ref().and_then(Expr::number).cloned();
@@ -184,8 +185,15 @@ impl Builder<'_> {
         let always = known.as_ref().zip(from.as_ref().and_then(Expr::number));
         let takeover = match from {
             Some(from) if always.is_none_or(|(hold, from)| hold <= from) => {
-                let about = "samples to go at which deadbeat takes over";
-                let from = self.keep(&self.named("deadbeat"), about, from);
+                let (name, about) = match ending.terminal {
+                    Terminal::LeastEnergy(_) => {
+                        ("end_samples", "samples to go at which the law of the end takes over")
+                    }
+                    Terminal::Itself | Terminal::Deadbeat(_) => {
+                        ("deadbeat", "samples to go at which deadbeat takes over")
+                    }
+                };
+                let from = self.keep(&self.named(name), about, from);
                 Takeover::Sample(Test::Less(from, now))
             }
             _ => Takeover::Never,

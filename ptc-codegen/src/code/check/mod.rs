@@ -24,6 +24,7 @@ impl Code {
                 return Err("a name is given twice".to_owned());
             }
         }
+        self.check_constants()?;
         let mut seen = Seen {
             fields: names(&self.fields),
             parameters: names(&self.parameters),
@@ -38,6 +39,21 @@ impl Code {
             let seen = self.seen_by(function);
             seen.map_err(|error| format!("{}: {error}", function.name))
         })
+    }
+
+    /// A name stands for one constant, and for no field.
+    fn check_constants(&self) -> Result<(), String> {
+        let (known, fields) = (self.constants(), names(&self.fields));
+        let mut wrong = None;
+        self.visit(&mut |value| {
+            if let Expr::Constant(own) = value {
+                let same = known.contains(own);
+                if !same || fields.contains(own.name.as_str()) {
+                    wrong.get_or_insert_with(|| own.name.clone());
+                }
+            }
+        });
+        wrong.map_or(Ok(()), |name| Err(format!("the constant {name} has two meanings")))
     }
 
     fn seen_by(&self, function: &Function) -> Result<(), String> {
@@ -79,10 +95,10 @@ impl Code {
                 lost.get_or_insert_with(|| exact.clone());
             }
         };
-        self.visit(&mut |value: &Expr| {
-            if let Expr::Number(exact) = value {
-                look(exact);
-            }
+        self.visit(&mut |value: &Expr| match value {
+            Expr::Number(exact) => look(exact),
+            Expr::Constant(own) if own.count().is_none() => look(&own.value),
+            _ => {}
         });
         self.tables.iter().flat_map(|table| table.rows.iter().flatten()).for_each(look);
         lost

@@ -10,7 +10,7 @@ use std::ops::Add;
 
 use num_traits::Zero;
 
-use super::Index;
+use super::{Constant, Index};
 use crate::algebra::{BigRational, integer};
 use crate::expression::Function;
 
@@ -35,6 +35,8 @@ pub enum Operator {
 pub enum Expr {
     /// An exact number, rounded once.
     Number(BigRational),
+    /// The same with a name.
+    Constant(Box<Constant>),
     /// An unsigned integer.
     Count(u32),
     /// A local value, or an argument.
@@ -135,6 +137,7 @@ impl Expr {
             constant &= matches!(
                 inner,
                 Self::Number(_)
+                    | Self::Constant(_)
                     | Self::Neg(_)
                     | Self::Binary(..)
                     | Self::Fused(_)

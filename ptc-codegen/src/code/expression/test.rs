@@ -39,6 +39,20 @@ impl Test {
         }
     }
 
+    /// The sides of a comparison of floating-point numbers.
+    fn compared(&self) -> Option<(&Expr, &Expr)> {
+        match self {
+            Self::Less(a, b) | Self::AtMost(a, b) => Some((a, b)),
+            _ => None,
+        }
+    }
+
+    /// Returns true if the next test goes on where this one ends: a <= b and b < c are one range.
+    pub fn opens_range(&self, next: Option<&Self>) -> bool {
+        let begins = next.and_then(Self::compared).map(|(begins, _)| begins);
+        self.compared().is_some_and(|(_, ends)| begins == Some(ends))
+    }
+
     pub(super) fn local_fields(&self) -> Self {
         match self {
             Self::Less(a, b) => Self::Less(a.local_fields(), b.local_fields()),

@@ -17,6 +17,7 @@ pub(in crate::emit) fn print(text: &dyn Text, value: &Expr) -> (Level, String) {
                 false => (Level::Atom, digits),
             }
         }
+        Expr::Constant(own) => (Level::Atom, text.constant(own)),
         Expr::Count(count) => (Level::Atom, text.count(*count)),
         Expr::Local(name) => (Level::Atom, text.local(name)),
         Expr::Element(name, index) => (Level::Atom, text.element(&text.local(name), *index)),
@@ -119,12 +120,42 @@ pub(in crate::emit) fn place(text: &dyn Text, index: &Index, first: i32) -> Stri
     }
 }
 
+/// A comparison as it stands.
+fn comparison(text: &dyn Text, a: &Expr, sign: &str, b: &Expr) -> String {
+    format!("{} {sign} {}", text.within(a, Level::Sum), text.within(b, Level::Sum))
+}
+
+/// The lower end of a range, which stands on the left of what it bounds.
+pub(in crate::emit) fn lower_end(text: &dyn Text, test: &Test) -> Option<String> {
+    match test {
+        Test::Less(a, b) => Some(comparison(text, a, "<", b)),
+        Test::AtMost(a, b) => Some(comparison(text, a, "<=", b)),
+        _ => None,
+    }
+}
+
+/// Returns how often a value changes: never, from one start to the next, or from call to call. A comparison is read as a
+/// statement on what changes more often, which stands on its left.
+fn variability(value: &Expr) -> u8 {
+    match value {
+        Expr::Number(_) | Expr::Constant(_) | Expr::Count(_) => 0,
+        Expr::Parameter(_)
+        | Expr::ParameterElement(..)
+        | Expr::Field(_)
+        | Expr::FieldElement(..)
+        | Expr::OfAxis(..) => 1,
+        Expr::Neg(a) => variability(a),
+        _ => 2,
+    }
+}
+
 /// The tests that must all hold, each as an operand of [`Text::and`] where there are several.
 pub(in crate::emit) fn parts(text: &dyn Text, test: &Test) -> Vec<String> {
-    let two = |a: &Expr, sign: &str, b: &Expr| {
-        vec![format!("{} {sign} {}", text.within(a, Level::Sum), text.within(b, Level::Sum))]
-    };
+    let two = |a: &Expr, sign: &str, b: &Expr| vec![comparison(text, a, sign, b)];
+    let varies_behind = |a: &Expr, b: &Expr| variability(a) < variability(b);
     match test {
+        Test::Less(a, b) | Test::CountLess(a, b) if varies_behind(a, b) => two(b, ">", a),
+        Test::AtMost(a, b) if varies_behind(a, b) => two(b, ">=", a),
         Test::Less(a, b) | Test::CountLess(a, b) => two(a, "<", b),
         Test::AtMost(a, b) => two(a, "<=", b),
         Test::CountEqual(a, b) => two(a, text.equal(), b),

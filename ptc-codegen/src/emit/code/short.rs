@@ -176,6 +176,7 @@ impl Short {
             Expr::Number(value) => {
                 number::literal(number::round(value, self.precision), self.precision).len()
             }
+            Expr::Constant(own) => own.name.len() + 8,
             Expr::Count(_) => 5,
             Expr::Local(name) => name.len(),
             Expr::Element(name, _) => name.len() + 3,

@@ -5,7 +5,7 @@ mod step;
 
 use std::ops::{Div, Mul};
 
-use num_traits::ToPrimitive;
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::flight::{LAST, ROUND};
 use crate::algebra::BigRational;
@@ -84,17 +84,21 @@ impl Builder<'_> {
     }
 
     /// N, as a count that `init` knows.
-    fn samples(&self) -> Expr {
+    pub(super) fn samples(&self) -> Expr {
         match self.fixed(Parameter::Samples).and_then(|samples| samples.to_integer().to_u32()) {
             Some(samples) => Expr::Count(samples),
             None => Expr::Parameter(Parameter::Samples.key().to_owned()),
         }
     }
 
-    /// Returns the form in which a later function reads a value: the number itself, or a field that `init` derives.
+    /// Returns the form in which a later function reads a value: a number, with its name unless it is 0, 1 or -1, or a
+    /// field that `init` derives.
     pub(super) fn keep(&mut self, name: &str, about: &str, value: Expr) -> Expr {
-        if matches!(value, Expr::Number(_) | Expr::Count(_)) {
-            return value;
+        match value {
+            Expr::Number(value) if is_plain(&value) => return Expr::Number(value),
+            Expr::Number(value) => return Expr::constant(name, about, value),
+            Expr::Count(_) => return value,
+            _ => {}
         }
         if let Some((name, ..)) = self.values.iter().find(|(_, _, known)| *known == value) {
             return Expr::field(name.clone());
@@ -160,6 +164,11 @@ impl Builder<'_> {
             functions.extend(self.estimates());
         }
         functions
+    }
+
+    /// N with its name, in a call.
+    pub(super) fn counted(samples: &Expr) -> Expr {
+        samples.clone().named("samples", "samples from the start to rest")
     }
 
     /// N, in a call.
@@ -245,4 +254,9 @@ impl Builder<'_> {
         let elapsed = Expr::local("k").count_sub(start.clone());
         Statement::Let("elapsed".to_owned(), Shape::Count, elapsed)
     }
+}
+
+/// Returns true for the numbers that a product does without.
+fn is_plain(number: &BigRational) -> bool {
+    number.is_zero() || number.abs().is_one()
 }

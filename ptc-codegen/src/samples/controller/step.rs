@@ -126,7 +126,7 @@ impl Builder<'_> {
     fn finish(&mut self, samples: &Expr) -> Finish {
         let v = Expr::local("v");
         let give = |value: &Expr, status| Finish::give(vec![value.clone()], status);
-        let going = || Test::CountLess(Expr::local("elapsed"), samples.clone());
+        let going = || Test::CountLess(Expr::local("elapsed"), Self::counted(samples));
         let (limits, zero) = (self.limits(), self.spec.after == After::Zero);
         let (mut tracks, held) = (give(&v, Status::Ok), give(&v, Status::Hold));
         for (test, status) in self.outcomes_of_plan() {

@@ -238,6 +238,7 @@ impl<'a> Sample<'a> {
     pub(super) fn count(&self, value: &Expr) -> Option<u32> {
         match value {
             Expr::Count(count) => Some(*count),
+            Expr::Constant(own) => own.count(),
             Expr::CountSub(a, b) => Some(self.count(a)?.wrapping_sub(self.count(b)?)),
             Expr::CountLeft(a, b) => Some(self.count(a)?.saturating_sub(self.count(b)?)),
             Expr::CountOver(a, by) => Some(self.count(a)? / by),
@@ -309,6 +310,7 @@ impl<'a> Sample<'a> {
                 };
                 Some(Held::Known(Rounded { exact, error }))
             }
+            Expr::Constant(own) => Some(Held::Known(self.number(&own.value))),
             Expr::Tabulated(name, row, column) => {
                 let place = self.count(row)?;
                 self.trace.number(row, place);

@@ -23,6 +23,9 @@ impl<'c> Writer<'c> {
             Expr::Number(value) => {
                 return Some(self.constant(number::round(value, self.code.precision)));
             }
+            Expr::Constant(own) => {
+                return Some(self.constant(own.rounded(self.code.precision)));
+            }
             Expr::Count(count) => return Some(self.constant(f64::from(*count))),
             Expr::Local(name) => (self.local(name), 0),
             Expr::Element(name, index) => (self.local(name), *index),

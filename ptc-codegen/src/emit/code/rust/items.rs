@@ -29,6 +29,7 @@ impl Rust<'_> {
         }
         self.out.line(ALLOWED);
         self.out.open(format!("impl {kind} {{"));
+        self.constants();
         self.tables();
         self.init(&kind);
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
@@ -69,6 +70,19 @@ impl Rust<'_> {
         }
         self.out.close("}");
         self.out.line("");
+    }
+
+    fn constants(&mut self) {
+        let constants = self.code.constants();
+        for own in &constants {
+            let (name, value) = (own.name.to_uppercase(), self.literal_of(own));
+            let kind = self.type_of(own.shape);
+            self.out.line(format!("/// {}.", doc(&capital(&own.described()))));
+            self.out.line(format!("const {name}: {kind} = {value};"));
+        }
+        if !constants.is_empty() {
+            self.out.line("");
+        }
     }
 
     fn tables(&mut self) {

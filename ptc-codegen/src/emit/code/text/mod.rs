@@ -6,7 +6,7 @@ pub(in crate::emit) use lines::Lines;
 
 use super::expression;
 use crate::algebra::BigRational;
-use crate::code::{AXIS, Expr, Index, Standing, Status, Table, Test, Whose};
+use crate::code::{AXIS, Constant, Expr, Index, Standing, Status, Table, Test, Whose};
 use crate::parameter::Precision;
 
 /// Precedence of an expression.
@@ -106,6 +106,19 @@ pub(in crate::emit) trait Text {
     /// A count over a number, rounded down.
     fn count_over(&self, count: &str, by: u32) -> (Level, String) {
         (Level::Product, format!("{count} / {}", self.count(by)))
+    }
+
+    /// A number with a name.
+    fn constant(&self, own: &Constant) -> String {
+        self.table(&own.name)
+    }
+
+    /// The literal of such a number, with its sign.
+    fn literal_of(&self, constant: &Constant) -> String {
+        match constant.count() {
+            Some(count) => self.count(count),
+            None => self.alone(&Expr::Number(constant.value.clone())),
+        }
     }
 
     /// The name of a constant table.
@@ -270,11 +283,16 @@ pub(in crate::emit) trait Text {
 
     /// Several tests, each as an operand of [`Text::and`].
     fn all(&self, tests: &[Test]) -> Vec<String> {
-        tests.iter().flat_map(|test| self.operands(test)).collect()
+        let next = tests.iter().skip(1).map(Some).chain([None]);
+        tests.iter().zip(next).flat_map(|(test, next)| self.operands(test, next)).collect()
     }
 
-    /// A test as an operand of [`Text::and`] and [`Text::or`].
-    fn operands(&self, test: &Test) -> Vec<String> {
+    /// A test as an operand of [`Text::and`] and [`Text::or`], before the `next` one.
+    fn operands(&self, test: &Test, next: Option<&Test>) -> Vec<String> {
+        let lower = expression::lower_end(self.as_text(), test);
+        if let Some(lower) = lower.filter(|_| test.opens_range(next)) {
+            return vec![format!("({lower})")];
+        }
         match test {
             Test::Finite(_) | Test::NotNumber(_) => self.parts(test),
             _ => vec![format!("({})", self.test(test))],

@@ -19,7 +19,7 @@ pub(in crate::emit) use target::{TARGET, files_with_proof, real, sampled_files_w
 
 use super::apart::apart;
 use super::text::{Level, Lines, Text, bare};
-use crate::code::{Access, Callback, Code, Function, Owner, Shape, Status};
+use crate::code::{Access, Callback, Code, Constant, Function, Owner, Shape, Status};
 use crate::emit::File;
 use crate::parameter::Precision;
 
@@ -97,6 +97,10 @@ impl Text for C<'_> {
 
     fn table(&self, name: &str) -> String {
         format!("{}_{name}", self.code.name)
+    }
+
+    fn constant(&self, own: &Constant) -> String {
+        self.table(&own.name).to_uppercase()
     }
 
     fn call(&self, function: &str, arguments: &[String]) -> String {

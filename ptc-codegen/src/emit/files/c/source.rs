@@ -33,9 +33,23 @@ impl C<'_> {
         self.out.line("");
         self.out.line(assumptions(code.precision));
         self.out.line(classification(code.precision, &functions));
+        self.constants();
         self.tables();
         self.out.line(functions);
         self.out.text()
+    }
+
+    fn constants(&mut self) {
+        let constants = self.code.constants();
+        if !constants.is_empty() {
+            self.out.line("\n/* What is known of the design, each number rounded once. */");
+        }
+        for own in &constants {
+            let value = self.literal_of(own);
+            let value = if value.starts_with('-') { format!("({value})") } else { value };
+            let name = self.constant(own);
+            self.out.line(format!("#define {name} {value} /* {} */", own.described()));
+        }
     }
 
     fn tables(&mut self) {

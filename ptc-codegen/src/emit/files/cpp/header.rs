@@ -126,12 +126,22 @@ impl Cpp<'_> {
         self.finite();
         self.absolute(Owner::Controller);
         code.subroutines().into_iter().for_each(|of| self.subroutine(of));
+        self.constants();
         self.tables();
         self.out.line("");
         for field in &code.fields {
             self.member(field, "_", "//");
         }
         self.out.close("};");
+    }
+
+    fn constants(&mut self) {
+        for own in &self.code.constants() {
+            let (name, value) = (self.constant(own), self.literal_of(own));
+            self.out.line(format!("/// {}.", capital(&own.described())));
+            let kind = self.type_of(own.shape);
+            self.out.line(format!("static constexpr {kind} {name}{{{value}}};"));
+        }
     }
 
     fn tables(&mut self) {

@@ -71,6 +71,14 @@ impl Matlab<'_> {
         self.out.close("end");
     }
 
+    /// The constants that a function reads.
+    fn constants(&mut self, function: &Function) {
+        for own in &function.constants() {
+            let (name, value) = (self.constant(own), self.literal_of(own));
+            self.out.line(format!("{name} = {value}; % {}", own.described()));
+        }
+    }
+
     /// The tables that a function reads.
     fn tables(&mut self, function: &Function) {
         for table in &self.code.tables {
@@ -95,6 +103,7 @@ impl Matlab<'_> {
         let result = function.results.first();
         self.result = result.map(|result| result.name.clone()).unwrap_or_default();
         self.signature(function);
+        self.constants(function);
         self.tables(function);
         if let (Finish::Stands, Some(count)) = (&function.finish, self.code.axes()) {
             self.inputs(function, count);

@@ -196,7 +196,7 @@ impl Text for Python<'_> {
     fn all(&self, tests: &[Test]) -> Vec<String> {
         let mut parts: Vec<String> = Vec::new();
         let mut end = None;
-        for test in tests {
+        for (i, test) in tests.iter().enumerate() {
             let (start, sign, next) = match test {
                 Test::Less(a, b) if !self.batch => (Some(a), "<", Some(b)),
                 Test::AtMost(a, b) if !self.batch => (Some(a), "<=", Some(b)),
@@ -207,7 +207,7 @@ impl Text for Python<'_> {
                     last.pop();
                     last.push_str(&format!(" {sign} {})", self.within(next, Level::Sum)));
                 }
-                _ => parts.extend(self.operands(test)),
+                _ => parts.extend(self.operands(test, tests.get(i + 1))),
             }
             end = next;
         }

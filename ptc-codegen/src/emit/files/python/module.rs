@@ -107,6 +107,16 @@ impl Python<'_> {
             self.out.line("");
         }
         code.subroutines().into_iter().for_each(|of| self.subroutine(of));
+        let constants = code.constants();
+        for own in &constants {
+            let (name, value) = (self.constant(own), self.literal_of(own));
+            self.out.line(format!("# {}.", capital(&own.described())));
+            let value = if own.count().is_some() { value } else { format!("_R({value})") };
+            self.out.line(format!("{name} = {value}"));
+        }
+        if !constants.is_empty() {
+            self.out.line("\n");
+        }
         for table in &code.tables {
             let name = self.table(&table.name);
             self.out.line(format!("# {}.", capital(&table.about)));

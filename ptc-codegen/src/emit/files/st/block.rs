@@ -145,13 +145,12 @@ impl StructuredText<'_> {
         }));
         // Some compilers accept only elementary types among temporary variables.
         let is_plain = |member: &Member| matches!(member.kind, Kind::Elementary(_));
-        let constants: Vec<_> = self.code.tables.iter().map(|table| self.constant(table)).collect();
         let (temporary, derived) = self.temporary().into_iter().partition(is_plain);
         kept.extend::<Vec<_>>(derived);
         let all = [
             section(Scope::Input, self.inputs()),
             section(Scope::Output, self.given()),
-            section(Scope::Constant, constants),
+            section(Scope::Constant, self.constants()),
             section(Scope::Local, kept),
             section(Scope::Temporary, temporary),
         ];

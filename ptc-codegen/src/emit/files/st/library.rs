@@ -37,6 +37,8 @@ pub(in crate::emit) struct Member {
 pub(in crate::emit) enum Kind {
     Elementary(&'static str),
     Derived(String),
+    /// A number of this type, and its value.
+    Number(&'static str, String),
     /// An array from 0 on of these numbers.
     Table(&'static str, Vec<String>),
 }
@@ -81,6 +83,7 @@ impl Member {
         let declared = match &self.kind {
             Kind::Elementary(kind) => format!("{} : {kind};", self.name),
             Kind::Derived(kind) => format!("{} : {kind};", self.name),
+            Kind::Number(kind, value) => format!("{} : {kind} := {value};", self.name),
             Kind::Table(of, numbers) => {
                 let (name, last) = (&self.name, numbers.len() - 1);
                 format!("{name} : ARRAY[0..{last}] OF {of} := [\n    {}];", numbers.join(",\n    "))

@@ -3,9 +3,10 @@
 use super::super::text::{Level, Text};
 use super::target::{greatest, is_narrow, is_word, literal};
 use super::{StructuredText, helpers};
-use crate::code::{Status, Table};
+use crate::code::{Constant, Expr, Status, Table};
 use crate::internal::fault;
 use crate::parameter::Precision;
+use crate::program::number;
 
 impl Text for StructuredText<'_> {
     fn as_text(&self) -> &dyn Text {
@@ -26,6 +27,13 @@ impl Text for StructuredText<'_> {
             wide.len() - 1
         });
         helpers::wide(index)
+    }
+
+    fn constant(&self, own: &Constant) -> String {
+        match self.holds(own) {
+            true => self.named(&own.name),
+            false => self.within(&Expr::Number(own.value.clone()), Level::Atom),
+        }
     }
 
     fn count(&self, count: u32) -> String {
@@ -150,6 +158,14 @@ impl Text for StructuredText<'_> {
 }
 
 impl StructuredText<'_> {
+    /// Returns true if a constant is declared: those that no literal holds are made by the block.
+    pub(super) fn holds(&self, own: &Constant) -> bool {
+        let value = number::round(&own.value, self.code.precision).abs();
+        own.count().is_some()
+            || self.code.precision == Precision::F32
+            || is_narrow(&number::literal(value, self.code.precision))
+    }
+
     /// A name of the code: capitals and small letters are one, and words of the language, and the function block's
     /// own names, are left to them.
     pub(super) fn named(&self, name: &str) -> String {

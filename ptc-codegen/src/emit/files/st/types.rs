@@ -3,7 +3,7 @@
 use super::super::text::Text as _;
 use super::library::{Kind, Member, Structure, Vector};
 use super::{StructuredText, helpers};
-use crate::code::{Shape, Table, Variable};
+use crate::code::{Constant, Shape, Table, Variable};
 use crate::internal::fault;
 
 /// The type of a status.
@@ -46,15 +46,30 @@ impl StructuredText<'_> {
         Structure { name, members: members.map(member).collect() }
     }
 
+    /// The constants and the tables.
+    pub(super) fn constants(&self) -> Vec<Member> {
+        let constants = self.code.constants();
+        let held = constants.iter().filter(|own| self.holds(own)).map(|own| self.number(own));
+        held.chain(self.code.tables.iter().map(|table| self.table_of(table))).collect()
+    }
+
+    fn number(&self, own: &Constant) -> Member {
+        let value = signed(self.literal_of(own));
+        let kind = if own.count().is_some() { "UDINT" } else { self.real };
+        Member::new(self.constant(own), Kind::Number(kind, value), own.described())
+    }
+
     /// A table, row by row.
-    pub(super) fn constant(&self, table: &Table) -> Member {
-        // A constant has its sign behind its type.
-        let signed = |number: String| match number.strip_prefix('-').and_then(|n| n.split_once('#'))
-        {
-            Some((kind, digits)) => format!("{kind}#-{digits}"),
-            None => number,
-        };
+    fn table_of(&self, table: &Table) -> Member {
         let numbers = self.rows(table).into_iter().flatten().map(signed).collect();
         Member::new(self.named(&table.name), Kind::Table(self.real, numbers), &table.about)
+    }
+}
+
+/// A literal whose sign stands behind its type, as a constant has it.
+fn signed(number: String) -> String {
+    match number.strip_prefix('-').and_then(|n| n.split_once('#')) {
+        Some((kind, digits)) => format!("{kind}#-{digits}"),
+        None => number,
     }
 }
