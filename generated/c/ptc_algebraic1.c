@@ -48,8 +48,8 @@ ptc_status ptc_algebraic1_init(ptc_algebraic1 *self, const ptc_algebraic1_params
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -61,8 +61,8 @@ ptc_status ptc_algebraic1_init(ptc_algebraic1 *self, const ptc_algebraic1_params
             const double inv_tau = 1.0 / tau;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_c1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1);
-            if ((1e-200 <= size_K1)
-                && (1e-200 <= size_c1)
+            if ((size_K1 >= 1e-200)
+                && (size_c1 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(inv_tau)) {
@@ -113,7 +113,7 @@ ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -126,7 +126,7 @@ ptc_status ptc_algebraic1_step(const ptc_algebraic1 *self, double t, const doubl
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -153,7 +153,7 @@ ptc_status ptc_algebraic1_tick(const ptc_algebraic1 *self, double t, ptc_algebra
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -187,7 +187,7 @@ ptc_status ptc_algebraic1_axis(const ptc_algebraic1_gains *gains, const double x
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -50,8 +50,8 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -82,15 +82,15 @@ ptc_status ptc_algebraic3_init(ptc_algebraic3 *self, const ptc_algebraic3_params
             const double size_c2_0 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_0);
             const double size_c2_1 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c2_1);
             const double size_c3_0 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_0);
-            if ((1e-200 <= v2)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= v4)
-                && (1e-200 <= size_c1)
-                && (1e-200 <= size_c2_0)
-                && (1e-200 <= size_c2_1)
-                && (1e-200 <= size_c3_0)
+            if ((v2 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (v4 >= 1e-200)
+                && (size_c1 >= 1e-200)
+                && (size_c2_0 >= 1e-200)
+                && (size_c2_1 >= 1e-200)
+                && (size_c3_0 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2_0)
                 && PTC_FINITE_F64(c2_2)
@@ -153,7 +153,7 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -176,7 +176,7 @@ ptc_status ptc_algebraic3_step(const ptc_algebraic3 *self, double t, const doubl
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -203,7 +203,7 @@ ptc_status ptc_algebraic3_tick(const ptc_algebraic3 *self, double t, ptc_algebra
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -246,7 +246,7 @@ ptc_status ptc_algebraic3_axis(const ptc_algebraic3_gains *gains, const double x
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -51,8 +51,8 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -98,24 +98,24 @@ ptc_status ptc_algebraic4_init(ptc_algebraic4 *self, const ptc_algebraic4_params
             const double size_c3_0 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_0);
             const double size_c3_1 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c3_1);
             const double size_c4_0 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_0);
-            if ((1e-200 <= v2)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= v3)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= size_K4)
-                && (1e-200 <= v5)
-                && (1e-200 <= size_c1)
-                && (1e-200 <= v6)
-                && (1e-200 <= size_c2_0)
-                && (1e-200 <= size_c2_2)
-                && (1e-200 <= size_c2_4)
-                && (1e-200 <= size_c2_1)
-                && (1e-200 <= c2_3)
+            if ((v2 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (size_K4 >= 1e-200)
+                && (v5 >= 1e-200)
+                && (size_c1 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (size_c2_0 >= 1e-200)
+                && (size_c2_2 >= 1e-200)
+                && (size_c2_4 >= 1e-200)
+                && (size_c2_1 >= 1e-200)
+                && (c2_3 >= 1e-200)
                 && (c2_5 <= -1e-200)
-                && (1e-200 <= size_c3_0)
-                && (1e-200 <= size_c3_1)
-                && (1e-200 <= size_c4_0)
+                && (size_c3_0 >= 1e-200)
+                && (size_c3_1 >= 1e-200)
+                && (size_c4_0 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2_0)
                 && PTC_FINITE_F64(c2_2)
@@ -190,7 +190,7 @@ ptc_status ptc_algebraic4_step(const ptc_algebraic4 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -216,7 +216,7 @@ ptc_status ptc_algebraic4_step(const ptc_algebraic4 *self, double t, const doubl
                 && PTC_FINITE_F64(x[2])
                 && PTC_FINITE_F64(x[3])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -243,7 +243,7 @@ ptc_status ptc_algebraic4_tick(const ptc_algebraic4 *self, double t, ptc_algebra
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -293,7 +293,7 @@ ptc_status ptc_algebraic4_axis(const ptc_algebraic4_gains *gains, const double x
             && PTC_FINITE_F64(x[2])
             && PTC_FINITE_F64(x[3])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

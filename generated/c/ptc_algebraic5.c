@@ -52,8 +52,8 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -148,37 +148,37 @@ ptc_status ptc_algebraic5_init(ptc_algebraic5 *self, const ptc_algebraic5_params
             const double size_c4_3 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c4_3);
             const double size_c4_4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_4);
             const double size_c5_2 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c5_2);
-            if ((1e-200 <= v2)
-                && (1e-200 <= v3)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= v4)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= size_K4)
-                && (1e-200 <= size_K5)
-                && (1e-200 <= v6)
-                && (1e-200 <= v7)
-                && (1e-200 <= size_c1_5)
-                && (1e-200 <= size_c2_0)
-                && (1e-200 <= size_c2_1)
-                && (1e-200 <= size_c2_2)
-                && (1e-200 <= size_c2_3)
-                && (1e-200 <= size_c2_4)
-                && (1e-200 <= size_c2_5)
-                && (1e-200 <= size_c2_6)
-                && (1e-200 <= size_c2_7)
-                && (1e-200 <= size_c2_8)
-                && (1e-200 <= v21)
-                && (1e-200 <= size_c3_0)
-                && (1e-200 <= size_c3_1)
-                && (1e-200 <= size_c3_2)
-                && (1e-200 <= size_c3_3)
-                && (1e-200 <= size_c3_4)
-                && (1e-200 <= size_c3_5)
-                && (1e-200 <= size_c3_6)
-                && (1e-200 <= size_c4_3)
-                && (1e-200 <= size_c4_4)
-                && (1e-200 <= size_c5_2)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (v4 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (size_K4 >= 1e-200)
+                && (size_K5 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (v7 >= 1e-200)
+                && (size_c1_5 >= 1e-200)
+                && (size_c2_0 >= 1e-200)
+                && (size_c2_1 >= 1e-200)
+                && (size_c2_2 >= 1e-200)
+                && (size_c2_3 >= 1e-200)
+                && (size_c2_4 >= 1e-200)
+                && (size_c2_5 >= 1e-200)
+                && (size_c2_6 >= 1e-200)
+                && (size_c2_7 >= 1e-200)
+                && (size_c2_8 >= 1e-200)
+                && (v21 >= 1e-200)
+                && (size_c3_0 >= 1e-200)
+                && (size_c3_1 >= 1e-200)
+                && (size_c3_2 >= 1e-200)
+                && (size_c3_3 >= 1e-200)
+                && (size_c3_4 >= 1e-200)
+                && (size_c3_5 >= 1e-200)
+                && (size_c3_6 >= 1e-200)
+                && (size_c4_3 >= 1e-200)
+                && (size_c4_4 >= 1e-200)
+                && (size_c5_2 >= 1e-200)
                 && PTC_FINITE_F64(c1_5)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(two_tau)
@@ -277,7 +277,7 @@ ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double s1 = self->half_tau / (self->two_tau + late);
@@ -311,7 +311,7 @@ ptc_status ptc_algebraic5_step(const ptc_algebraic5 *self, double t, const doubl
                 && PTC_FINITE_F64(x[3])
                 && PTC_FINITE_F64(x[4])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -338,7 +338,7 @@ ptc_status ptc_algebraic5_tick(const ptc_algebraic5 *self, double t, ptc_algebra
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double s1 = self->half_tau / (self->two_tau + late);
@@ -398,7 +398,7 @@ ptc_status ptc_algebraic5_axis(const ptc_algebraic5_gains *gains, const double x
             && PTC_FINITE_F64(x[3])
             && PTC_FINITE_F64(x[4])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -60,8 +60,8 @@ ptc_status ptc_exp12_axes2_init(ptc_exp12_axes2 *self, const ptc_exp12_axes2_par
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -138,28 +138,28 @@ ptc_status ptc_exp12_axes2_init(ptc_exp12_axes2 *self, const ptc_exp12_axes2_par
             const double size_K10 = (fabs(k10) <= 0.0) ? 1e-200 : fabs(K10);
             const double size_K11 = (fabs(k11) <= 0.0) ? 1e-200 : fabs(K11);
             const double size_K12 = (fabs(k12) <= 0.0) ? 1e-200 : fabs(K12);
-            if ((1e-200 <= v2)
-                && (1e-200 <= v3)
-                && (1e-200 <= v4)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= v5)
-                && (1e-200 <= v6)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= v7)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= v8)
-                && (1e-200 <= size_K4)
-                && (1e-200 <= size_K5)
-                && (1e-200 <= v9)
-                && (1e-200 <= size_K6)
-                && (1e-200 <= v10)
-                && (1e-200 <= size_K7)
-                && (1e-200 <= v11)
-                && (1e-200 <= size_K8)
-                && (1e-200 <= size_K9)
-                && (1e-200 <= size_K10)
-                && (1e-200 <= size_K11)
-                && (1e-200 <= size_K12)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (v4 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (v5 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (v7 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (v8 >= 1e-200)
+                && (size_K4 >= 1e-200)
+                && (size_K5 >= 1e-200)
+                && (v9 >= 1e-200)
+                && (size_K6 >= 1e-200)
+                && (v10 >= 1e-200)
+                && (size_K7 >= 1e-200)
+                && (v11 >= 1e-200)
+                && (size_K8 >= 1e-200)
+                && (size_K9 >= 1e-200)
+                && (size_K10 >= 1e-200)
+                && (size_K11 >= 1e-200)
+                && (size_K12 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2)
                 && PTC_FINITE_F64(c3)
@@ -230,7 +230,7 @@ ptc_status ptc_exp12_axes2_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -293,7 +293,7 @@ ptc_status ptc_exp12_axes2_axis(const ptc_exp12_axes2_gains *gains, const double
             && PTC_FINITE_F64(x[10])
             && PTC_FINITE_F64(x[11])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {
@@ -322,7 +322,7 @@ ptc_status ptc_exp12_axes2_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -400,7 +400,7 @@ ptc_status ptc_exp12_axes2_step(
                             && PTC_FINITE_F64(x[axis][10])
                             && PTC_FINITE_F64(x[axis][11])) {
                             if (PTC_FINITE_F64(v)) {
-                                if (self->u_max < v) {
+                                if (v > self->u_max) {
                                     u[axis] = self->u_max;
                                     axes[axis] = PTC_SATURATED;
                                 } else {

@@ -50,8 +50,8 @@ ptc_status ptc_exp2_axes3_init(ptc_exp2_axes3 *self, const ptc_exp2_axes3_params
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -65,8 +65,8 @@ ptc_status ptc_exp2_axes3_init(ptc_exp2_axes3 *self, const ptc_exp2_axes3_params
             const double hold_from = -eps;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
-            if ((1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
+            if ((size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2)
                 && PTC_FINITE_F64(hold_from)) {
@@ -114,7 +114,7 @@ ptc_status ptc_exp2_axes3_tick(const ptc_exp2_axes3 *self, double t, ptc_exp2_ax
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -146,7 +146,7 @@ ptc_status ptc_exp2_axes3_axis(const ptc_exp2_axes3_gains *gains, const double x
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {
@@ -175,7 +175,7 @@ ptc_status ptc_exp2_axes3_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -212,7 +212,7 @@ ptc_status ptc_exp2_axes3_step(
                     if (!(fabs(v) <= bound)) {
                         if (PTC_FINITE_F64(x[axis][0]) && PTC_FINITE_F64(x[axis][1])) {
                             if (PTC_FINITE_F64(v)) {
-                                if (self->u_max < v) {
+                                if (v > self->u_max) {
                                     u[axis] = self->u_max;
                                     axes[axis] = PTC_SATURATED;
                                 } else {

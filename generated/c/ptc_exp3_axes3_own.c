@@ -49,13 +49,13 @@ ptc_status ptc_exp3_axes3_own_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
+            && (eps >= 1e-150)
             && PTC_FINITE_F64(p_m)
             && (eps < tau)) {
             const double hold_from = -eps;
             const double input_gain = 1.0 / p_m;
             const double size_input_gain = (fabs(input_gain) <= 0.0) ? 1e-200 : fabs(input_gain);
-            if ((1e-200 <= size_input_gain)
+            if ((size_input_gain >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(input_gain)) {
                 built.tau = tau;
@@ -103,7 +103,7 @@ ptc_status ptc_exp3_axes3_own_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -160,7 +160,7 @@ ptc_status ptc_exp3_axes3_own_axis(
                 status = gains->status;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (gains->u_max[axis] < v) {
+                    if (v > gains->u_max[axis]) {
                         *u = gains->u_max[axis];
                         status = PTC_SATURATED;
                     } else {
@@ -190,7 +190,7 @@ ptc_status ptc_exp3_axes3_own_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;

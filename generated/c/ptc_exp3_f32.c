@@ -50,8 +50,8 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             && (1e-18f <= tau)
             && (tau <= 1e18f)
             && PTC_FINITE_F32(t0)
-            && (1e-18f <= eps)
-            && (0.0f < u_max)
+            && (eps >= 1e-18f)
+            && (u_max > 0.0f)
             && PTC_FINITE_F32(a)
             && (1e-18f <= a)
             && (a <= 1e18f)
@@ -71,10 +71,10 @@ ptc_status ptc_exp3_f32_init(ptc_exp3_f32 *self, const ptc_exp3_f32_params *para
             const float size_K1 = (fabsf(k1) <= 0.0f) ? 1e-30f : fabsf(K1);
             const float size_K2 = (fabsf(k2) <= 0.0f) ? 1e-30f : fabsf(K2);
             const float size_K3 = (fabsf(k3) <= 0.0f) ? 1e-30f : fabsf(K3);
-            if ((1e-30f <= v2)
-                && (1e-30f <= size_K1)
-                && (1e-30f <= size_K2)
-                && (1e-30f <= size_K3)
+            if ((v2 >= 1e-30f)
+                && (size_K1 >= 1e-30f)
+                && (size_K2 >= 1e-30f)
+                && (size_K3 >= 1e-30f)
                 && PTC_FINITE_F32(c1)
                 && PTC_FINITE_F32(c2)
                 && PTC_FINITE_F32(c3)
@@ -127,7 +127,7 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
         *u = 0.0f;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const float past = (t - self->deadline) - self->correction;
             const float late = (past < self->hold_from) ? past : self->hold_from;
             const float inv_T = (-1.0f) / late;
@@ -141,7 +141,7 @@ ptc_status ptc_exp3_f32_step(const ptc_exp3_f32 *self, float t, const float x[3]
                 && PTC_FINITE_F32(x[1])
                 && PTC_FINITE_F32(x[2])) {
                 if (PTC_FINITE_F32(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -168,7 +168,7 @@ ptc_status ptc_exp3_f32_tick(const ptc_exp3_f32 *self, float t, ptc_exp3_f32_gai
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F32(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F32(t) && (t >= self->t0)) {
             const float past = (t - self->deadline) - self->correction;
             const float late = (past < self->hold_from) ? past : self->hold_from;
             const float inv_T = (-1.0f) / late;
@@ -202,7 +202,7 @@ ptc_status ptc_exp3_f32_axis(const ptc_exp3_f32_gains *gains, const float x[3], 
             status = gains->status;
         } else if (PTC_FINITE_F32(x[0]) && PTC_FINITE_F32(x[1]) && PTC_FINITE_F32(x[2])) {
             if (PTC_FINITE_F32(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -78,7 +78,7 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.001) ? past : -0.001;
             const double inv_T = (-1.0) / late;
@@ -92,7 +92,7 @@ ptc_status ptc_exp3_fixed_step(const ptc_exp3_fixed *self, double t, const doubl
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (50.0 < v) {
+                    if (v > 50.0) {
                         *u = 50.0;
                         status = PTC_SATURATED;
                     } else if (v < -50.0) {
@@ -119,7 +119,7 @@ ptc_status ptc_exp3_fixed_tick(const ptc_exp3_fixed *self, double t, ptc_exp3_fi
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.001) ? past : -0.001;
             const double inv_T = (-1.0) / late;
@@ -152,7 +152,7 @@ ptc_status ptc_exp3_fixed_axis(const ptc_exp3_fixed_gains *gains, const double x
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             if (PTC_FINITE_F64(v)) {
-                if (50.0 < v) {
+                if (v > 50.0) {
                     *u = 50.0;
                     status = PTC_SATURATED;
                 } else {

@@ -58,8 +58,8 @@ ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_par
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -79,10 +79,10 @@ ptc_status ptc_exp3_result_init(ptc_exp3_result *self, const ptc_exp3_result_par
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
-            if ((1e-200 <= v2)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= size_K3)
+            if ((v2 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (size_K3 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2)
                 && PTC_FINITE_F64(c3)
@@ -141,7 +141,7 @@ ptc_status ptc_exp3_result_step(
 
     /* Time-to-go, or no number where v is not finite: one comparison detects tracking. */
     const double margin = (v - v) - late;
-    if (self->u_max < v) {
+    if (v > self->u_max) {
         *u = self->u_max;
         if (PTC_NAN_F64(margin)) {
             *u = 0.0;
@@ -157,7 +157,7 @@ ptc_status ptc_exp3_result_step(
         } else {
             status = PTC_SATURATED;
         }
-    } else if (self->eps < margin) {
+    } else if (margin > self->eps) {
         *u = v;
         status = PTC_OK;
     } else if (PTC_NAN_F64(margin)) {
@@ -200,7 +200,7 @@ ptc_status ptc_exp3_result_axis(const ptc_exp3_result_gains *gains, const double
     if (PTC_NAN_F64(v - v)) {
         *u = 0.0;
         status = PTC_E_RANGE;
-    } else if (gains->u_max < v) {
+    } else if (v > gains->u_max) {
         *u = gains->u_max;
         status = PTC_SATURATED;
     } else if (v < -gains->u_max) {

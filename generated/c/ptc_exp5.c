@@ -52,8 +52,8 @@ ptc_status ptc_exp5_init(ptc_exp5 *self, const ptc_exp5_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -83,14 +83,14 @@ ptc_status ptc_exp5_init(ptc_exp5 *self, const ptc_exp5_params *params)
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
             const double size_K5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(K5);
-            if ((1e-200 <= v2)
-                && (1e-200 <= v3)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= v4)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= size_K4)
-                && (1e-200 <= size_K5)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (v4 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (size_K4 >= 1e-200)
+                && (size_K5 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2)
                 && PTC_FINITE_F64(c3)
@@ -147,7 +147,7 @@ ptc_status ptc_exp5_step(const ptc_exp5 *self, double t, const double x[5], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -164,7 +164,7 @@ ptc_status ptc_exp5_step(const ptc_exp5 *self, double t, const double x[5], doub
                 && PTC_FINITE_F64(x[3])
                 && PTC_FINITE_F64(x[4])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -191,7 +191,7 @@ ptc_status ptc_exp5_tick(const ptc_exp5 *self, double t, ptc_exp5_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -233,7 +233,7 @@ ptc_status ptc_exp5_axis(const ptc_exp5_gains *gains, const double x[5], double 
             && PTC_FINITE_F64(x[3])
             && PTC_FINITE_F64(x[4])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -50,8 +50,8 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a1)
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -72,7 +72,7 @@ ptc_status ptc_exp_sum1_init(ptc_exp_sum1 *self, const ptc_exp_sum1_params *para
             const double b1_2 = 0.5 * a2 * tau;
             const double w1 = -k1;
             const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
-            if ((1e-200 <= size_w1)
+            if ((size_w1 >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(target_rate)
                 && PTC_FINITE_F64(slowest)
@@ -135,7 +135,7 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -160,7 +160,7 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -193,7 +193,7 @@ ptc_status ptc_exp_sum1_step(const ptc_exp_sum1 *self, double t, const double x[
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -220,7 +220,7 @@ ptc_status ptc_exp_sum1_tick(const ptc_exp_sum1 *self, double t, ptc_exp_sum1_ga
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -245,7 +245,7 @@ ptc_status ptc_exp_sum1_tick(const ptc_exp_sum1 *self, double t, ptc_exp_sum1_ga
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -299,7 +299,7 @@ ptc_status ptc_exp_sum1_axis(const ptc_exp_sum1_gains *gains, const double x[1],
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -51,8 +51,8 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a1)
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -80,8 +80,8 @@ ptc_status ptc_exp_sum2_init(ptc_exp_sum2 *self, const ptc_exp_sum2_params *para
             const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
-                && (1e-200 <= size_w1)
-                && (1e-200 <= size_w2)
+                && (size_w1 >= 1e-200)
+                && (size_w2 >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(target_rate)
                 && PTC_FINITE_F64(slowest)
@@ -150,7 +150,7 @@ ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -175,7 +175,7 @@ ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -210,7 +210,7 @@ ptc_status ptc_exp_sum2_step(const ptc_exp_sum2 *self, double t, const double x[
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -237,7 +237,7 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -262,7 +262,7 @@ ptc_status ptc_exp_sum2_tick(const ptc_exp_sum2 *self, double t, ptc_exp_sum2_ga
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -318,7 +318,7 @@ ptc_status ptc_exp_sum2_axis(const ptc_exp_sum2_gains *gains, const double x[2],
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -54,8 +54,8 @@ ptc_status ptc_exp_sum2_of_three_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a1)
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -92,8 +92,8 @@ ptc_status ptc_exp_sum2_of_three_init(
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
                 && (b2_3 <= -1e-200)
-                && (1e-200 <= size_w1)
-                && (1e-200 <= size_w2)
+                && (size_w1 >= 1e-200)
+                && (size_w2 >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(target_rate)
                 && PTC_FINITE_F64(slowest)
@@ -171,7 +171,7 @@ ptc_status ptc_exp_sum2_of_three_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -198,7 +198,7 @@ ptc_status ptc_exp_sum2_of_three_step(
                 const double v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
                 const double y_next = y + v15;
                 const double y_size = fabs(v15);
-                if (0.0 < v12) {
+                if (v12 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -239,7 +239,7 @@ ptc_status ptc_exp_sum2_of_three_step(
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -269,7 +269,7 @@ ptc_status ptc_exp_sum2_of_three_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -296,7 +296,7 @@ ptc_status ptc_exp_sum2_of_three_tick(
                 const double v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
                 const double y_next = y + v15;
                 const double y_size = fabs(v15);
-                if (0.0 < v12) {
+                if (v12 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -361,7 +361,7 @@ ptc_status ptc_exp_sum2_of_three_axis(
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -52,8 +52,8 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a1)
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -90,13 +90,13 @@ ptc_status ptc_exp_sum3_init(ptc_exp_sum3 *self, const ptc_exp_sum3_params *para
             const double size_w3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(w3);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
-                && (1e-200 <= v5)
-                && (1e-200 <= b3_1)
-                && (1e-200 <= v6)
-                && (1e-200 <= b3_2)
-                && (1e-200 <= size_w1)
-                && (1e-200 <= size_w2)
-                && (1e-200 <= size_w3)
+                && (v5 >= 1e-200)
+                && (b3_1 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (b3_2 >= 1e-200)
+                && (size_w1 >= 1e-200)
+                && (size_w2 >= 1e-200)
+                && (size_w3 >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(target_rate)
                 && PTC_FINITE_F64(slowest)
@@ -171,7 +171,7 @@ ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -196,7 +196,7 @@ ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -237,7 +237,7 @@ ptc_status ptc_exp_sum3_step(const ptc_exp_sum3 *self, double t, const double x[
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -264,7 +264,7 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -289,7 +289,7 @@ ptc_status ptc_exp_sum3_tick(const ptc_exp_sum3 *self, double t, ptc_exp_sum3_ga
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -349,7 +349,7 @@ ptc_status ptc_exp_sum3_axis(const ptc_exp_sum3_gains *gains, const double x[3],
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

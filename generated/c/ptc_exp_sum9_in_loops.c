@@ -60,8 +60,8 @@ ptc_status ptc_exp_sum9_in_loops_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a1)
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -140,43 +140,43 @@ ptc_status ptc_exp_sum9_in_loops_init(
             const double size_w9 = (fabs(k9) <= 0.0) ? 1e-200 : fabs(w9);
             if ((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
-                && (1e-200 <= v5)
-                && (1e-200 <= b3_1)
-                && (1e-200 <= v6)
-                && (1e-200 <= b3_2)
-                && (1e-200 <= v7)
+                && (v5 >= 1e-200)
+                && (b3_1 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (b3_2 >= 1e-200)
+                && (v7 >= 1e-200)
                 && (b4_1 <= -1e-200)
-                && (1e-200 <= v8)
+                && (v8 >= 1e-200)
                 && (b4_2 <= -1e-200)
-                && (1e-200 <= v9)
-                && (1e-200 <= b5_1)
-                && (1e-200 <= v10)
-                && (1e-200 <= b5_2)
-                && (1e-200 <= v11)
+                && (v9 >= 1e-200)
+                && (b5_1 >= 1e-200)
+                && (v10 >= 1e-200)
+                && (b5_2 >= 1e-200)
+                && (v11 >= 1e-200)
                 && (b6_1 <= -1e-200)
-                && (1e-200 <= v12)
+                && (v12 >= 1e-200)
                 && (b6_2 <= -1e-200)
-                && (1e-200 <= v13)
-                && (1e-200 <= b7_1)
-                && (1e-200 <= v14)
-                && (1e-200 <= b7_2)
-                && (1e-200 <= v15)
+                && (v13 >= 1e-200)
+                && (b7_1 >= 1e-200)
+                && (v14 >= 1e-200)
+                && (b7_2 >= 1e-200)
+                && (v15 >= 1e-200)
                 && (b8_1 <= -1e-200)
-                && (1e-200 <= v16)
+                && (v16 >= 1e-200)
                 && (b8_2 <= -1e-200)
-                && (1e-200 <= v17)
-                && (1e-200 <= b9_1)
-                && (1e-200 <= v18)
-                && (1e-200 <= b9_2)
-                && (1e-200 <= size_w1)
-                && (1e-200 <= size_w2)
-                && (1e-200 <= size_w3)
-                && (1e-200 <= size_w4)
-                && (1e-200 <= size_w5)
-                && (1e-200 <= size_w6)
-                && (1e-200 <= size_w7)
-                && (1e-200 <= size_w8)
-                && (1e-200 <= size_w9)
+                && (v17 >= 1e-200)
+                && (b9_1 >= 1e-200)
+                && (v18 >= 1e-200)
+                && (b9_2 >= 1e-200)
+                && (size_w1 >= 1e-200)
+                && (size_w2 >= 1e-200)
+                && (size_w3 >= 1e-200)
+                && (size_w4 >= 1e-200)
+                && (size_w5 >= 1e-200)
+                && (size_w6 >= 1e-200)
+                && (size_w7 >= 1e-200)
+                && (size_w8 >= 1e-200)
+                && (size_w9 >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(target_rate)
                 && PTC_FINITE_F64(slowest)
@@ -391,7 +391,7 @@ ptc_status ptc_exp_sum9_in_loops_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -416,7 +416,7 @@ ptc_status ptc_exp_sum9_in_loops_step(
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -490,7 +490,7 @@ ptc_status ptc_exp_sum9_in_loops_step(
                 && PTC_FINITE_F64(x[7])
                 && PTC_FINITE_F64(x[8])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -520,7 +520,7 @@ ptc_status ptc_exp_sum9_in_loops_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -545,7 +545,7 @@ ptc_status ptc_exp_sum9_in_loops_tick(
                 const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
                 const double y_next = y + v13;
                 const double y_size = fabs(v13);
-                if (0.0 < v10) {
+                if (v10 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -653,7 +653,7 @@ ptc_status ptc_exp_sum9_in_loops_axis(
             && PTC_FINITE_F64(x[7])
             && PTC_FINITE_F64(x[8])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -48,8 +48,8 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(k1)
             && PTC_FINITE_F64(k2)
             && (eps < tau)) {
@@ -59,8 +59,8 @@ ptc_status ptc_own_kappa2_init(ptc_own_kappa2 *self, const ptc_own_kappa2_params
             const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
             const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
             const double f15 = tau * tau;
-            if ((1e-200 <= size_w1)
-                && (1e-200 <= size_w2)
+            if ((size_w1 >= 1e-200)
+                && (size_w2 >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(f15)
                 && PTC_FINITE_F64(w1)
@@ -113,7 +113,7 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -123,19 +123,19 @@ ptc_status ptc_own_kappa2_step(const ptc_own_kappa2 *self, double t, const doubl
             const double inv_r1 = 1.0 / (T * unit);
             const double s1 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
             const double s2 = ((self->w1 * x[0] * inv_r1) + ((self->w2 + s1) * x[1])) * inv_r1;
-            const double v = (0.0 <= past) ? 0.0 : s2;
+            const double v = (past >= 0.0) ? 0.0 : s2;
             *u = v;
             if (PTC_FINITE_F64(v) && (fabs(v) <= self->u_max) && (late < self->hold_from)) {
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
                         *u = -self->u_max;
                         status = PTC_SATURATED;
-                    } else if (0.0 <= past) {
+                    } else if (past >= 0.0) {
                         status = PTC_AFTER;
                     } else {
                         status = PTC_HOLD;

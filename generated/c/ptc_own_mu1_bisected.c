@@ -50,14 +50,14 @@ ptc_status ptc_own_mu1_bisected_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(k1)
             && (eps < tau)) {
             const double hold_from = -eps;
             const double w1 = -k1;
             const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
-            if ((1e-200 <= size_w1) && PTC_FINITE_F64(hold_from) && PTC_FINITE_F64(w1)) {
+            if ((size_w1 >= 1e-200) && PTC_FINITE_F64(hold_from) && PTC_FINITE_F64(w1)) {
                 built.tau = tau;
                 built.eps = eps;
                 built.hold_from = hold_from;
@@ -108,7 +108,7 @@ ptc_status ptc_own_mu1_bisected_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -124,7 +124,7 @@ ptc_status ptc_own_mu1_bisected_step(
                 const double s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
                 const double y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
                 const double y_size = fabs(v5);
-                if (0.0 < v5) {
+                if (v5 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -137,7 +137,7 @@ ptc_status ptc_own_mu1_bisected_step(
                 if (y_size <= 1e-9) {
                     break;
                 }
-                if (39U < attempt) {
+                if (attempt > 39U) {
                     y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
@@ -151,7 +151,7 @@ ptc_status ptc_own_mu1_bisected_step(
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -181,7 +181,7 @@ ptc_status ptc_own_mu1_bisected_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -197,7 +197,7 @@ ptc_status ptc_own_mu1_bisected_tick(
                 const double s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
                 const double y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
                 const double y_size = fabs(v5);
-                if (0.0 < v5) {
+                if (v5 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -210,7 +210,7 @@ ptc_status ptc_own_mu1_bisected_tick(
                 if (y_size <= 1e-9) {
                     break;
                 }
-                if (39U < attempt) {
+                if (attempt > 39U) {
                     y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
@@ -248,7 +248,7 @@ ptc_status ptc_own_mu1_bisected_axis(
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -52,8 +52,8 @@ ptc_status ptc_own_mu2_iterated_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(k1)
             && PTC_FINITE_F64(k2)
             && PTC_FINITE_F64(p_a)
@@ -67,8 +67,8 @@ ptc_status ptc_own_mu2_iterated_init(
             const double size_w1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(w1);
             const double size_w2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(w2);
             const double f63 = f29 * f29 * 0.5;
-            if ((1e-200 <= size_w1)
-                && (1e-200 <= size_w2)
+            if ((size_w1 >= 1e-200)
+                && (size_w2 >= 1e-200)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(f29)
                 && PTC_FINITE_F64(f63)
@@ -127,7 +127,7 @@ ptc_status ptc_own_mu2_iterated_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -145,7 +145,7 @@ ptc_status ptc_own_mu2_iterated_step(
                 const double s1 = v5 * ((-(v3 * self->f29 * (1.0 / v4))) + self->f29);
                 const double y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
                 const double y_size = fabs(v7);
-                if (0.0 < v7) {
+                if (v7 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -158,7 +158,7 @@ ptc_status ptc_own_mu2_iterated_step(
                 if (y_size <= 1e-9) {
                     break;
                 }
-                if (39U < attempt) {
+                if (attempt > 39U) {
                     y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
@@ -183,7 +183,7 @@ ptc_status ptc_own_mu2_iterated_step(
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -213,7 +213,7 @@ ptc_status ptc_own_mu2_iterated_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -231,7 +231,7 @@ ptc_status ptc_own_mu2_iterated_tick(
                 const double s1 = v5 * ((-(v3 * self->f29 * (1.0 / v4))) + self->f29);
                 const double y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
                 const double y_size = fabs(v7);
-                if (0.0 < v7) {
+                if (v7 > 0.0) {
                     y_low = y;
                 } else {
                     y_high = y;
@@ -244,7 +244,7 @@ ptc_status ptc_own_mu2_iterated_tick(
                 if (y_size <= 1e-9) {
                     break;
                 }
-                if (39U < attempt) {
+                if (attempt > 39U) {
                     y = sqrt(y_low + 1e-300) * sqrt(y_high);
                 }
             }
@@ -293,7 +293,7 @@ ptc_status ptc_own_mu2_iterated_axis(
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

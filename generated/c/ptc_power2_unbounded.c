@@ -103,7 +103,7 @@ ptc_status ptc_power2_unbounded_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;
@@ -140,7 +140,7 @@ ptc_status ptc_power2_unbounded_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_w = self->minus_tau / late;

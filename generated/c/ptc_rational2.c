@@ -49,8 +49,8 @@ ptc_status ptc_rational2_init(ptc_rational2 *self, const ptc_rational2_params *p
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -66,9 +66,9 @@ ptc_status ptc_rational2_init(ptc_rational2 *self, const ptc_rational2_params *p
             const double hold_from = -eps;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
-            if ((1e-200 <= v1)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
+            if ((v1 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2_0)
                 && PTC_FINITE_F64(hold_from)) {
@@ -119,7 +119,7 @@ ptc_status ptc_rational2_step(const ptc_rational2 *self, double t, const double 
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double row2 = ((-2.0) * late) + self->c2_0;
@@ -131,7 +131,7 @@ ptc_status ptc_rational2_step(const ptc_rational2 *self, double t, const double 
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -158,7 +158,7 @@ ptc_status ptc_rational2_tick(const ptc_rational2 *self, double t, ptc_rational2
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double row2 = ((-2.0) * late) + self->c2_0;
@@ -191,7 +191,7 @@ ptc_status ptc_rational2_axis(const ptc_rational2_gains *gains, const double x[2
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

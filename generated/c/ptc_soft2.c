@@ -50,8 +50,8 @@ ptc_status ptc_soft2_init(ptc_soft2 *self, const ptc_soft2_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -71,8 +71,8 @@ ptc_status ptc_soft2_init(ptc_soft2 *self, const ptc_soft2_params *params)
             const double hold_from = -eps;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
-            if ((1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
+            if ((size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2_0)
                 && PTC_FINITE_F64(first_slope)
@@ -129,7 +129,7 @@ ptc_status ptc_soft2_step(const ptc_soft2 *self, double t, const double x[2], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double v1 = t - self->t0;
             const double elapsed = (v1 < self->hold_after) ? v1 : self->hold_after;
             const double past = (t - self->deadline) - self->correction;
@@ -147,7 +147,7 @@ ptc_status ptc_soft2_step(const ptc_soft2 *self, double t, const double x[2], do
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -174,7 +174,7 @@ ptc_status ptc_soft2_tick(const ptc_soft2 *self, double t, ptc_soft2_gains *gain
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double v1 = t - self->t0;
             const double elapsed = (v1 < self->hold_after) ? v1 : self->hold_after;
             const double past = (t - self->deadline) - self->correction;
@@ -214,7 +214,7 @@ ptc_status ptc_soft2_axis(const ptc_soft2_gains *gains, const double x[2], doubl
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

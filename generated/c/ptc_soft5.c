@@ -53,8 +53,8 @@ ptc_status ptc_soft5_init(ptc_soft5 *self, const ptc_soft5_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -97,14 +97,14 @@ ptc_status ptc_soft5_init(ptc_soft5 *self, const ptc_soft5_params *params)
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
             const double size_K5 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(K5);
-            if ((1e-200 <= v2)
-                && (1e-200 <= v3)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= v4)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= size_K4)
-                && (1e-200 <= size_K5)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (v4 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (size_K4 >= 1e-200)
+                && (size_K5 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2_0)
                 && PTC_FINITE_F64(c2_1)
@@ -179,7 +179,7 @@ ptc_status ptc_soft5_step(const ptc_soft5 *self, double t, const double x[5], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double v1 = t - self->t0;
             const double elapsed = (v1 < self->hold_after) ? v1 : self->hold_after;
             const double past = (t - self->deadline) - self->correction;
@@ -208,7 +208,7 @@ ptc_status ptc_soft5_step(const ptc_soft5 *self, double t, const double x[5], do
                 && PTC_FINITE_F64(x[3])
                 && PTC_FINITE_F64(x[4])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -235,7 +235,7 @@ ptc_status ptc_soft5_tick(const ptc_soft5 *self, double t, ptc_soft5_gains *gain
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double v1 = t - self->t0;
             const double elapsed = (v1 < self->hold_after) ? v1 : self->hold_after;
             const double past = (t - self->deadline) - self->correction;
@@ -290,7 +290,7 @@ ptc_status ptc_soft5_axis(const ptc_soft5_gains *gains, const double x[5], doubl
             && PTC_FINITE_F64(x[3])
             && PTC_FINITE_F64(x[4])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

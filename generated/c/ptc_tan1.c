@@ -48,8 +48,8 @@ ptc_status ptc_tan1_init(ptc_tan1 *self, const ptc_tan1_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -62,7 +62,7 @@ ptc_status ptc_tan1_init(ptc_tan1 *self, const ptc_tan1_params *params)
             const double hold_from = -eps;
             const double inv_tau = 1.0 / tau;
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
-            if ((1e-200 <= size_K1)
+            if ((size_K1 >= 1e-200)
                 && PTC_FINITE_F64(c1_1)
                 && PTC_FINITE_F64(angle_rate)
                 && PTC_FINITE_F64(inv_angle_rate)
@@ -117,7 +117,7 @@ ptc_status ptc_tan1_step(const ptc_tan1 *self, double t, const double x[1], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -142,7 +142,7 @@ ptc_status ptc_tan1_step(const ptc_tan1 *self, double t, const double x[1], doub
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -169,7 +169,7 @@ ptc_status ptc_tan1_tick(const ptc_tan1 *self, double t, ptc_tan1_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -215,7 +215,7 @@ ptc_status ptc_tan1_axis(const ptc_tan1_gains *gains, const double x[1], double 
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

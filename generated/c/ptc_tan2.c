@@ -49,8 +49,8 @@ ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -70,10 +70,10 @@ ptc_status ptc_tan2_init(ptc_tan2 *self, const ptc_tan2_params *params)
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_c2_0 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_0);
             const double size_c2_2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_2);
-            if ((1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= size_c2_0)
-                && (1e-200 <= size_c2_2)
+            if ((size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (size_c2_0 >= 1e-200)
+                && (size_c2_2 >= 1e-200)
                 && PTC_FINITE_F64(c1_2)
                 && PTC_FINITE_F64(angle_rate)
                 && PTC_FINITE_F64(inv_angle_rate)
@@ -132,7 +132,7 @@ ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -160,7 +160,7 @@ ptc_status ptc_tan2_step(const ptc_tan2 *self, double t, const double x[2], doub
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -187,7 +187,7 @@ ptc_status ptc_tan2_tick(const ptc_tan2 *self, double t, ptc_tan2_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -237,7 +237,7 @@ ptc_status ptc_tan2_axis(const ptc_tan2_gains *gains, const double x[2], double 
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -50,8 +50,8 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -85,15 +85,15 @@ ptc_status ptc_tan3_init(ptc_tan3 *self, const ptc_tan3_params *params)
             const double size_c2_4 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(c2_4);
             const double size_c3_0 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_0);
             const double size_c3_2 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(c3_2);
-            if ((1e-200 <= v2)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= size_c2_1)
-                && (1e-200 <= size_c2_3)
-                && (1e-200 <= size_c2_4)
-                && (1e-200 <= size_c3_0)
-                && (1e-200 <= size_c3_2)
+            if ((v2 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (size_c2_1 >= 1e-200)
+                && (size_c2_3 >= 1e-200)
+                && (size_c2_4 >= 1e-200)
+                && (size_c3_0 >= 1e-200)
+                && (size_c3_2 >= 1e-200)
                 && PTC_FINITE_F64(c1_3)
                 && PTC_FINITE_F64(angle_rate)
                 && PTC_FINITE_F64(inv_angle_rate)
@@ -162,7 +162,7 @@ ptc_status ptc_tan3_step(const ptc_tan3 *self, double t, const double x[3], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -196,7 +196,7 @@ ptc_status ptc_tan3_step(const ptc_tan3 *self, double t, const double x[3], doub
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -223,7 +223,7 @@ ptc_status ptc_tan3_tick(const ptc_tan3 *self, double t, ptc_tan3_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -278,7 +278,7 @@ ptc_status ptc_tan3_axis(const ptc_tan3_gains *gains, const double x[3], double 
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

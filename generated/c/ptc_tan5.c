@@ -52,8 +52,8 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -135,33 +135,33 @@ ptc_status ptc_tan5_init(ptc_tan5 *self, const ptc_tan5_params *params)
             const double size_c4_4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(c4_4);
             const double size_c5_0 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c5_0);
             const double size_c5_2 = (fabs(k5) <= 0.0) ? 1e-200 : fabs(c5_2);
-            if ((1e-200 <= v2)
-                && (1e-200 <= v3)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= v4)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= size_K4)
-                && (1e-200 <= size_K5)
-                && (1e-200 <= v7)
-                && (1e-200 <= size_c2_0)
-                && (1e-200 <= v9)
-                && (1e-200 <= size_c2_1)
-                && (1e-200 <= size_c2_3)
-                && (1e-200 <= size_c2_5)
-                && (1e-200 <= size_c2_6)
-                && (1e-200 <= size_c2_7)
-                && (1e-200 <= size_c2_8)
-                && (1e-200 <= size_c3_0)
-                && (1e-200 <= size_c3_2)
-                && (1e-200 <= size_c3_4)
-                && (1e-200 <= size_c3_5)
-                && (1e-200 <= size_c3_6)
-                && (1e-200 <= size_c4_1)
-                && (1e-200 <= size_c4_3)
-                && (1e-200 <= size_c4_4)
-                && (1e-200 <= size_c5_0)
-                && (1e-200 <= size_c5_2)
+            if ((v2 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (v4 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (size_K4 >= 1e-200)
+                && (size_K5 >= 1e-200)
+                && (v7 >= 1e-200)
+                && (size_c2_0 >= 1e-200)
+                && (v9 >= 1e-200)
+                && (size_c2_1 >= 1e-200)
+                && (size_c2_3 >= 1e-200)
+                && (size_c2_5 >= 1e-200)
+                && (size_c2_6 >= 1e-200)
+                && (size_c2_7 >= 1e-200)
+                && (size_c2_8 >= 1e-200)
+                && (size_c3_0 >= 1e-200)
+                && (size_c3_2 >= 1e-200)
+                && (size_c3_4 >= 1e-200)
+                && (size_c3_5 >= 1e-200)
+                && (size_c3_6 >= 1e-200)
+                && (size_c4_1 >= 1e-200)
+                && (size_c4_3 >= 1e-200)
+                && (size_c4_4 >= 1e-200)
+                && (size_c5_0 >= 1e-200)
+                && (size_c5_2 >= 1e-200)
                 && PTC_FINITE_F64(c1_5)
                 && PTC_FINITE_F64(angle_rate)
                 && PTC_FINITE_F64(inv_angle_rate)
@@ -262,7 +262,7 @@ ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -312,7 +312,7 @@ ptc_status ptc_tan5_step(const ptc_tan5 *self, double t, const double x[5], doub
                 && PTC_FINITE_F64(x[3])
                 && PTC_FINITE_F64(x[4])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -339,7 +339,7 @@ ptc_status ptc_tan5_tick(const ptc_tan5 *self, double t, ptc_tan5_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -414,7 +414,7 @@ ptc_status ptc_tan5_axis(const ptc_tan5_gains *gains, const double x[5], double 
             && PTC_FINITE_F64(x[3])
             && PTC_FINITE_F64(x[4])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

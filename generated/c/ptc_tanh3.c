@@ -50,8 +50,8 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -77,10 +77,10 @@ ptc_status ptc_tanh3_init(ptc_tanh3 *self, const ptc_tanh3_params *params)
             const double size_K1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1);
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
-            if ((1e-200 <= v2)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= size_K3)
+            if ((v2 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (size_K3 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2_0)
                 && PTC_FINITE_F64(c2_1)
@@ -143,7 +143,7 @@ ptc_status ptc_tanh3_step(const ptc_tanh3 *self, double t, const double x[3], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double row2 = (((self->c2_2 * late) + self->c2_1) * late) + self->c2_0;
@@ -159,7 +159,7 @@ ptc_status ptc_tanh3_step(const ptc_tanh3 *self, double t, const double x[3], do
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -186,7 +186,7 @@ ptc_status ptc_tanh3_tick(const ptc_tanh3 *self, double t, ptc_tanh3_gains *gain
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double row2 = (((self->c2_2 * late) + self->c2_1) * late) + self->c2_0;
@@ -222,7 +222,7 @@ ptc_status ptc_tanh3_axis(const ptc_tanh3_gains *gains, const double x[3], doubl
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -47,8 +47,8 @@ ptc_status ptc_tanh3_extern_init(ptc_tanh3_extern *self, const ptc_tanh3_extern_
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -124,7 +124,7 @@ ptc_status ptc_tanh3_extern_step(
         const double x2 = x[1];
         const double x3 = x[2];
         if (PTC_FINITE_F64(t)
-            && (self->t0 <= t)
+            && (t >= self->t0)
             && PTC_FINITE_F64(x1)
             && PTC_FINITE_F64(x2)
             && PTC_FINITE_F64(x3)) {
@@ -145,7 +145,7 @@ ptc_status ptc_tanh3_extern_step(
             const double xi[3] = {x1, xi2, xi3};
             const double law = pi0(context, xi, t_kappa);
             double applied;
-            if (0.0 <= past) {
+            if (past >= 0.0) {
                 applied = after(context, x, t);
             } else {
                 const double s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
@@ -154,7 +154,7 @@ ptc_status ptc_tanh3_extern_step(
             }
             const double v = applied;
             if (PTC_FINITE_F64(v)) {
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
@@ -163,7 +163,7 @@ ptc_status ptc_tanh3_extern_step(
                 } else if (late < self->hold_from) {
                     *u = v;
                     status = PTC_OK;
-                } else if (0.0 <= past) {
+                } else if (past >= 0.0) {
                     *u = v;
                     status = PTC_AFTER;
                 } else {

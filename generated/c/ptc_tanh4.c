@@ -51,8 +51,8 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -89,14 +89,14 @@ ptc_status ptc_tanh4_init(ptc_tanh4 *self, const ptc_tanh4_params *params)
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double size_K3 = (fabs(k3) <= 0.0) ? 1e-200 : fabs(K3);
             const double size_K4 = (fabs(k4) <= 0.0) ? 1e-200 : fabs(K4);
-            if ((1e-200 <= v2)
-                && (1e-200 <= size_K1)
-                && (1e-200 <= v3)
-                && (1e-200 <= size_K2)
-                && (1e-200 <= size_K3)
-                && (1e-200 <= size_K4)
-                && (1e-200 <= v6)
-                && (1e-200 <= c2_3)
+            if ((v2 >= 1e-200)
+                && (size_K1 >= 1e-200)
+                && (v3 >= 1e-200)
+                && (size_K2 >= 1e-200)
+                && (size_K3 >= 1e-200)
+                && (size_K4 >= 1e-200)
+                && (v6 >= 1e-200)
+                && (c2_3 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2_0)
                 && PTC_FINITE_F64(c2_1)
@@ -167,7 +167,7 @@ ptc_status ptc_tanh4_step(const ptc_tanh4 *self, double t, const double x[4], do
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double s1 = ((((self->c2_3 * late) + self->c2_2) * late) + self->c2_1) * late;
@@ -186,7 +186,7 @@ ptc_status ptc_tanh4_step(const ptc_tanh4 *self, double t, const double x[4], do
                 && PTC_FINITE_F64(x[2])
                 && PTC_FINITE_F64(x[3])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -213,7 +213,7 @@ ptc_status ptc_tanh4_tick(const ptc_tanh4 *self, double t, ptc_tanh4_gains *gain
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double s1 = ((((self->c2_3 * late) + self->c2_2) * late) + self->c2_1) * late;
@@ -256,7 +256,7 @@ ptc_status ptc_tanh4_axis(const ptc_tanh4_gains *gains, const double x[4], doubl
             && PTC_FINITE_F64(x[2])
             && PTC_FINITE_F64(x[3])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

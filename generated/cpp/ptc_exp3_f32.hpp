@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_F32_33281408_HPP
-#define PTC_EXP3_F32_33281408_HPP
+#ifndef PTC_EXP3_F32_42E0EDD8_HPP
+#define PTC_EXP3_F32_42E0EDD8_HPP
 
 #include <array>
 #include <cfloat>
@@ -160,7 +160,7 @@ struct [[nodiscard]] PtcExp3F32Gains {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (u_max < v) {
+                if (v > u_max) {
                     return {u_max, Status::Saturated};
                 } else {
                     return {-u_max, Status::Saturated};
@@ -210,8 +210,8 @@ public:
                 && (1e-18f <= tau)
                 && (tau <= 1e18f)
                 && finite(t0)
-                && (1e-18f <= eps)
-                && (0.0f < u_max)
+                && (eps >= 1e-18f)
+                && (u_max > 0.0f)
                 && finite(a)
                 && (1e-18f <= a)
                 && (a <= 1e18f)
@@ -233,10 +233,10 @@ public:
         const float size_K1 = (absolute(k1) <= 0.0f) ? 1e-30f : absolute(K1);
         const float size_K2 = (absolute(k2) <= 0.0f) ? 1e-30f : absolute(K2);
         const float size_K3 = (absolute(k3) <= 0.0f) ? 1e-30f : absolute(K3);
-        if (!((1e-30f <= v2)
-                && (1e-30f <= size_K1)
-                && (1e-30f <= size_K2)
-                && (1e-30f <= size_K3)
+        if (!((v2 >= 1e-30f)
+                && (size_K1 >= 1e-30f)
+                && (size_K2 >= 1e-30f)
+                && (size_K3 >= 1e-30f)
                 && finite(c1)
                 && finite(c2)
                 && finite(c3)
@@ -283,7 +283,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<float> step(float t, const std::array<float, 3>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0f, Status::Input};
         }
         const float past = (t - deadline_) - correction_;
@@ -295,7 +295,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};
@@ -314,7 +314,7 @@ public:
     /// each. The result of tick and axis may differ from that of step in the last bits.
     constexpr Gains tick(float t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const float past = (t - deadline_) - correction_;

@@ -66,8 +66,8 @@
  *       multiplications, 5 divisions, 5 function calls. One round of the iteration is
  *       counted; it takes at most 12.
  */
-#ifndef PTC_EXP_SUM2_CAC6A519_HPP
-#define PTC_EXP_SUM2_CAC6A519_HPP
+#ifndef PTC_EXP_SUM2_32CA0CEA_HPP
+#define PTC_EXP_SUM2_32CA0CEA_HPP
 
 #include <array>
 #include <cfloat>
@@ -156,7 +156,7 @@ struct [[nodiscard]] PtcExpSum2Gains {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
             if (finite(v)) {
-                if (u_max < v) {
+                if (v > u_max) {
                     return {u_max, Status::Saturated};
                 } else {
                     return {-u_max, Status::Saturated};
@@ -206,8 +206,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && finite(a1)
                 && (1e-150 <= a1)
                 && (a1 <= 1e150)
@@ -237,8 +237,8 @@ public:
         const double size_w2 = (absolute(k2) <= 0.0) ? 1e-200 : absolute(w2);
         if (!((b2_1 <= -1e-200)
                 && (b2_2 <= -1e-200)
-                && (1e-200 <= size_w1)
-                && (1e-200 <= size_w2)
+                && (size_w1 >= 1e-200)
+                && (size_w2 >= 1e-200)
                 && finite(hold_from)
                 && finite(target_rate)
                 && finite(slowest)
@@ -301,7 +301,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     Control<double> step(double t, const std::array<double, 2>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -328,7 +328,7 @@ public:
             const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             const double y_next = y + v13;
             const double y_size = absolute(v13);
-            if (0.0 < v10) {
+            if (v10 > 0.0) {
                 y_low = y;
             } else {
                 y_high = y;
@@ -362,7 +362,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
             if (finite(v)) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};
@@ -381,7 +381,7 @@ public:
     /// each. The result of tick and axis may differ from that of step in the last bits.
     Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;
@@ -408,7 +408,7 @@ public:
             const double v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             const double y_next = y + v13;
             const double y_size = absolute(v13);
-            if (0.0 < v10) {
+            if (v10 > 0.0) {
                 y_low = y;
             } else {
                 y_high = y;

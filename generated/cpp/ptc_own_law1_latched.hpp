@@ -55,8 +55,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 3
  *       multiplications, 1 division.
  */
-#ifndef PTC_OWN_LAW1_LATCHED_1CB8A589_HPP
-#define PTC_OWN_LAW1_LATCHED_1CB8A589_HPP
+#ifndef PTC_OWN_LAW1_LATCHED_360CD31F_HPP
+#define PTC_OWN_LAW1_LATCHED_360CD31F_HPP
 
 #include <array>
 #include <cfloat>
@@ -142,8 +142,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && (eps < tau))) {
             return Status::Param;
         }
@@ -190,7 +190,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 1>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -203,7 +203,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0])) {
             if (finite(v)) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};

@@ -66,8 +66,8 @@
  * Operations of one step, without input checks and clipping: 16 additions or comparisons, 24
  *       multiplications, 4 divisions, 2 function calls.
  */
-#ifndef PTC_TANH3_EXTERN_32FB2CB1_HPP
-#define PTC_TANH3_EXTERN_32FB2CB1_HPP
+#ifndef PTC_TANH3_EXTERN_54CEE75E_HPP
+#define PTC_TANH3_EXTERN_54CEE75E_HPP
 
 #include <array>
 #include <cfloat>
@@ -156,8 +156,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && finite(a)
                 && (1e-150 <= a)
                 && (a <= 1e150)
@@ -220,7 +220,7 @@ public:
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
+        if (!(finite(t) && (t >= t0_) && finite(x1) && finite(x2) && finite(x3))) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -240,7 +240,7 @@ public:
         const std::array<double, 3> xi{{x1, xi2, xi3}};
         const double law = pi0(xi, t_kappa);
         double applied{};
-        if (0.0 <= past) {
+        if (past >= 0.0) {
             applied = after(x, t);
         } else {
             const double s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
@@ -249,13 +249,13 @@ public:
         }
         const double v = applied;
         if (finite(v)) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {
                 return {-u_max_, Status::Saturated};
             } else if (late < hold_from_) {
                 return {v, Status::Ok};
-            } else if (0.0 <= past) {
+            } else if (past >= 0.0) {
                 return {v, Status::After};
             } else {
                 return {v, Status::Hold};

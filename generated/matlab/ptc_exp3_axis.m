@@ -25,7 +25,7 @@ if isfinite(v) && (abs(v) <= gains.u_max)
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
     if isfinite(v)
-        if gains.u_max < v
+        if v > gains.u_max
             u = gains.u_max;
             status = int32(2);
         else

@@ -9,7 +9,7 @@ gains.u_max = single(0.0);
 status = int32(-2);
 gains.status = status;
 t = single(t);
-if ~(isfinite(t) && (self.t0 <= t))
+if ~(isfinite(t) && (t >= self.t0))
     status = int32(-2);
     return;
 end

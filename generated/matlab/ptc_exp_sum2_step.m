@@ -15,7 +15,7 @@ function [u, status] = ptc_exp_sum2_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-if ~(self.t0 <= t)
+if ~(t >= self.t0)
     status = int32(-2);
     return;
 end
@@ -43,7 +43,7 @@ for attempt = 0:11
     v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
     y_next = y + v13;
     y_size = abs(v13);
-    if 0.0 < v10
+    if v10 > 0.0
         y_low = y;
     else
         y_high = y;
@@ -78,7 +78,7 @@ if isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2))
     if isfinite(v)
-        if self.u_max < v
+        if v > self.u_max
             u = self.u_max;
             status = int32(2);
         elseif v < -self.u_max

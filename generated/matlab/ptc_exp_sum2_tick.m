@@ -9,7 +9,7 @@ gains.u_max = 0.0;
 status = int32(-2);
 gains.status = status;
 t = double(t);
-if ~(isfinite(t) && (self.t0 <= t))
+if ~(isfinite(t) && (t >= self.t0))
     status = int32(-2);
     return;
 end
@@ -37,7 +37,7 @@ for attempt = 0:11
     v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
     y_next = y + v13;
     y_size = abs(v13);
-    if 0.0 < v10
+    if v10 > 0.0
         y_low = y;
     else
         y_high = y;

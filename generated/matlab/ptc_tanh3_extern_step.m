@@ -21,7 +21,7 @@ x = double(x);
 x1 = x(1);
 x2 = x(2);
 x3 = x(3);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3))
+if ~(isfinite(t) && (t >= self.t0) && isfinite(x1) && isfinite(x2) && isfinite(x3))
     status = int32(-2);
     return;
 end
@@ -41,7 +41,7 @@ xi3 = ((x3 * v6) + (2.0 * (v5 * unit) * x2)) * v6;
 t_kappa = self.t0 + ((-real_log(T / (self.f16 - T))) / self.f22);
 xi = [x1; xi2; xi3];
 law = double(pi0(xi, t_kappa));
-if 0.0 <= past
+if past >= 0.0
     applied = double(after(x, t));
 else
     s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
@@ -50,7 +50,7 @@ else
 end
 v = applied;
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
     elseif v < -self.u_max
@@ -59,7 +59,7 @@ if isfinite(v)
     elseif late < self.hold_from
         u = v;
         status = int32(0);
-    elseif 0.0 <= past
+    elseif past >= 0.0
         u = v;
         status = int32(3);
     else

@@ -173,7 +173,7 @@ class Gains:
             way1 = np.isfinite(v) & (np.abs(v) <= self.u_max)
             way2 = np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = np.isfinite(v)
-            way4 = self.u_max < v
+            way4 = v > self.u_max
             status = np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT))
             status = np.where(self.status < 0, self.status, status)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self.u_max, -self.u_max))), status.astype(np.int8))
@@ -204,9 +204,9 @@ class PtcExp3:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (1e-150 <= eps):
+            if not (eps >= 1e-150):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (np.isfinite(a) and (1e-150 <= a <= 1e150)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
@@ -231,10 +231,10 @@ class PtcExp3:
             size_K2 = _R(1e-200) if np.abs(k2) <= 0.0 else np.abs(K2)
             size_K3 = _R(1e-200) if np.abs(k3) <= 0.0 else np.abs(K3)
             if not (
-                (1e-200 <= v2)
-                and (1e-200 <= size_K1)
-                and (1e-200 <= size_K2)
-                and (1e-200 <= size_K3)
+                (v2 >= 1e-200)
+                and (size_K1 >= 1e-200)
+                and (size_K2 >= 1e-200)
+                and (size_K3 >= 1e-200)
                 and np.isfinite(c1)
                 and np.isfinite(c2)
                 and np.isfinite(c3)
@@ -288,9 +288,9 @@ class PtcExp3:
             way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = np.isfinite(v)
-            way4 = self._u_max < v
+            way4 = v > self._u_max
             way5 = v < -self._u_max
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(t >= self._t0, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self._u_max, np.where(way5, -self._u_max, v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
@@ -305,6 +305,6 @@ class PtcExp3:
             late = np.where(past < self._hold_from, past, self._hold_from)
             inv_T = (-1.0) / late
             way1 = late < self._hold_from
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
             gain = np.stack(np.broadcast_arrays(self._c1 * (inv_T * inv_T) * inv_T, self._c2 * inv_T * inv_T, self._c3 * inv_T), axis=-1)
             return Gains(gain, np.asarray(self._u_max), status.astype(np.int8))

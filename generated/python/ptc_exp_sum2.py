@@ -167,7 +167,7 @@ class Gains:
             way1 = np.isfinite(v) & (np.abs(v) <= self.u_max)
             way2 = np.isfinite(x1) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = self.u_max < v
+            way4 = v > self.u_max
             status = np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT))
             status = np.where(self.status < 0, self.status, status)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self.u_max, -self.u_max))), status.astype(np.int8))
@@ -198,9 +198,9 @@ class PtcExpSum2:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (1e-150 <= eps):
+            if not (eps >= 1e-150):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (np.isfinite(a1) and (1e-150 <= a1 <= 1e150)):
                 raise ValueError(f"params.rates[0] is {params.rates[0]}; legal: from 1e-150 to 1e150")
@@ -231,8 +231,8 @@ class PtcExpSum2:
             if not (
                 (b2_1 <= -1e-200)
                 and (b2_2 <= -1e-200)
-                and (1e-200 <= size_w1)
-                and (1e-200 <= size_w2)
+                and (size_w1 >= 1e-200)
+                and (size_w2 >= 1e-200)
                 and np.isfinite(hold_from)
                 and np.isfinite(target_rate)
                 and np.isfinite(slowest)
@@ -319,7 +319,7 @@ class PtcExpSum2:
                 v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1))
                 y_next = y + v13
                 y_size = np.abs(v13)
-                holds = np.asarray(0.0 < v10)
+                holds = np.asarray(v10 > 0.0)
                 y_low = np.where(holds & ~done, y, y_low)
                 y_high = np.where(~holds & ~done, y, y_high)
                 chosen = np.where((y_low <= y_next) & (y_next <= y_high), y_next, 0.5 * (y_low + y_high))
@@ -346,9 +346,9 @@ class PtcExpSum2:
             way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = self._u_max < v
+            way4 = v > self._u_max
             way5 = v < -self._u_max
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(t >= self._t0, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self._u_max, np.where(way5, -self._u_max, v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
@@ -384,7 +384,7 @@ class PtcExpSum2:
                 v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1))
                 y_next = y + v13
                 y_size = np.abs(v13)
-                holds = np.asarray(0.0 < v10)
+                holds = np.asarray(v10 > 0.0)
                 y_low = np.where(holds & ~done, y, y_low)
                 y_high = np.where(~holds & ~done, y, y_high)
                 chosen = np.where((y_low <= y_next) & (y_next <= y_high), y_next, 0.5 * (y_low + y_high))
@@ -407,6 +407,6 @@ class PtcExpSum2:
             inv_r1 = 1.0 / ((self._b1_1 * v22) + (self._b1_2 * v24))
             p2 = ((self._b2_1 * v22) + (self._b2_2 * v24)) * inv_r1
             way1 = late < self._hold_from
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
             gain = np.stack(np.broadcast_arrays(self._w1 * inv_r1 * inv_r1, (self._w2 + ((-2.0) * p2)) * inv_r1), axis=-1)
             return Gains(gain, np.asarray(self._u_max), status.astype(np.int8))

@@ -158,9 +158,9 @@ class PtcTanh3Extern:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (1e-150 <= eps):
+            if not (eps >= 1e-150):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (np.isfinite(a) and (1e-150 <= a <= 1e150)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
@@ -244,14 +244,14 @@ class PtcTanh3Extern:
             s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666
             s2 = ((law * inv_r1) + ((-6.0) * (s1 * (unit * unit)) * x2)) * inv_r1
             applied = np.asarray((s2 + ((-3.0) * ((v5 + v5) * unit) * x3)) * inv_r1)
-            chosen = np.asarray(0.0 <= past)
+            chosen = np.asarray(past >= 0.0)
             if chosen.any():
                 applied = np.where(chosen, np.asarray(after(np.asarray(x, dtype=_R), np.asarray(t)), dtype=_R), applied)
             v = applied
             way1 = np.isfinite(v)
-            way2 = self._u_max < v
+            way2 = v > self._u_max
             way3 = v < -self._u_max
             way4 = late < self._hold_from
-            way5 = 0.0 <= past
-            status = np.where(np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3), np.where(way1, np.where(way2, Status.SATURATED, np.where(way3, Status.SATURATED, np.where(way4, Status.OK, np.where(way5, Status.AFTER, Status.HOLD)))), Status.RANGE), Status.INPUT)
+            way5 = past >= 0.0
+            status = np.where(np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3), np.where(way1, np.where(way2, Status.SATURATED, np.where(way3, Status.SATURATED, np.where(way4, Status.OK, np.where(way5, Status.AFTER, Status.HOLD)))), Status.RANGE), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way2, self._u_max, np.where(way3, -self._u_max, v))), status.astype(np.int8))

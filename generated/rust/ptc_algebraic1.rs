@@ -230,8 +230,8 @@ impl PtcAlgebraic1 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -246,8 +246,8 @@ impl PtcAlgebraic1 {
         let inv_tau = 1.0 / tau;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
-        if !((1e-200 <= size_K1)
-            && (1e-200 <= size_c1)
+        if !((size_K1 >= 1e-200)
+            && (size_c1 >= 1e-200)
             && c1.is_finite()
             && hold_from.is_finite()
             && inv_tau.is_finite())
@@ -296,7 +296,7 @@ impl PtcAlgebraic1 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -314,7 +314,7 @@ impl PtcAlgebraic1 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -337,7 +337,7 @@ impl PtcAlgebraic1 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic1Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -383,7 +383,7 @@ impl PtcAlgebraic1Gains {
             (v, self.status)
         } else if x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

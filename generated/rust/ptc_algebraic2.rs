@@ -240,8 +240,8 @@ impl PtcAlgebraic2 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -262,10 +262,10 @@ impl PtcAlgebraic2 {
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
         let size_c2_0 = if k2.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
-        if !((1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_c1)
-            && (1e-200 <= size_c2_0)
+        if !((size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_c1 >= 1e-200)
+            && (size_c2_0 >= 1e-200)
             && c1.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite()
@@ -318,7 +318,7 @@ impl PtcAlgebraic2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -340,7 +340,7 @@ impl PtcAlgebraic2 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -363,7 +363,7 @@ impl PtcAlgebraic2 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic2Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -413,7 +413,7 @@ impl PtcAlgebraic2Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

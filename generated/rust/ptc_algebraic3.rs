@@ -257,8 +257,8 @@ impl PtcAlgebraic3 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -292,15 +292,15 @@ impl PtcAlgebraic3 {
         let size_c2_0 = if k2.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
         let size_c2_1 = if k3.abs() <= 0.0 { 1e-200 } else { c2_1.abs() };
         let size_c3_0 = if k3.abs() <= 0.0 { 1e-200 } else { c3_0.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= v4)
-            && (1e-200 <= size_c1)
-            && (1e-200 <= size_c2_0)
-            && (1e-200 <= size_c2_1)
-            && (1e-200 <= size_c3_0)
+        if !((v2 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (v4 >= 1e-200)
+            && (size_c1 >= 1e-200)
+            && (size_c2_0 >= 1e-200)
+            && (size_c2_1 >= 1e-200)
+            && (size_c3_0 >= 1e-200)
             && c1.is_finite()
             && c2_0.is_finite()
             && c2_2.is_finite()
@@ -361,7 +361,7 @@ impl PtcAlgebraic3 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -386,7 +386,7 @@ impl PtcAlgebraic3 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -409,7 +409,7 @@ impl PtcAlgebraic3 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic3Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -466,7 +466,7 @@ impl PtcAlgebraic3Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

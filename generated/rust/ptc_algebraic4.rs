@@ -277,8 +277,8 @@ impl PtcAlgebraic4 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -327,24 +327,24 @@ impl PtcAlgebraic4 {
         let size_c3_0 = if k3.abs() <= 0.0 { 1e-200 } else { c3_0.abs() };
         let size_c3_1 = if k4.abs() <= 0.0 { 1e-200 } else { c3_1.abs() };
         let size_c4_0 = if k4.abs() <= 0.0 { 1e-200 } else { c4_0.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= v3)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= size_K4)
-            && (1e-200 <= v5)
-            && (1e-200 <= size_c1)
-            && (1e-200 <= v6)
-            && (1e-200 <= size_c2_0)
-            && (1e-200 <= size_c2_2)
-            && (1e-200 <= size_c2_4)
-            && (1e-200 <= size_c2_1)
-            && (1e-200 <= c2_3)
+        if !((v2 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (v3 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (size_K4 >= 1e-200)
+            && (v5 >= 1e-200)
+            && (size_c1 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (size_c2_0 >= 1e-200)
+            && (size_c2_2 >= 1e-200)
+            && (size_c2_4 >= 1e-200)
+            && (size_c2_1 >= 1e-200)
+            && (c2_3 >= 1e-200)
             && (c2_5 <= -1e-200)
-            && (1e-200 <= size_c3_0)
-            && (1e-200 <= size_c3_1)
-            && (1e-200 <= size_c4_0)
+            && (size_c3_0 >= 1e-200)
+            && (size_c3_1 >= 1e-200)
+            && (size_c4_0 >= 1e-200)
             && c1.is_finite()
             && c2_0.is_finite()
             && c2_2.is_finite()
@@ -417,7 +417,7 @@ impl PtcAlgebraic4 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -449,7 +449,7 @@ impl PtcAlgebraic4 {
             && x[3].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -472,7 +472,7 @@ impl PtcAlgebraic4 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic4Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -533,7 +533,7 @@ impl PtcAlgebraic4Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() && x[3].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -313,8 +313,8 @@ impl PtcAlgebraic5 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -412,37 +412,37 @@ impl PtcAlgebraic5 {
         let size_c4_3 = if k5.abs() <= 0.0 { 1e-200 } else { c4_3.abs() };
         let size_c4_4 = if k4.abs() <= 0.0 { 1e-200 } else { c4_4.abs() };
         let size_c5_2 = if k5.abs() <= 0.0 { 1e-200 } else { c5_2.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= v3)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= v4)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= size_K4)
-            && (1e-200 <= size_K5)
-            && (1e-200 <= v6)
-            && (1e-200 <= v7)
-            && (1e-200 <= size_c1_5)
-            && (1e-200 <= size_c2_0)
-            && (1e-200 <= size_c2_1)
-            && (1e-200 <= size_c2_2)
-            && (1e-200 <= size_c2_3)
-            && (1e-200 <= size_c2_4)
-            && (1e-200 <= size_c2_5)
-            && (1e-200 <= size_c2_6)
-            && (1e-200 <= size_c2_7)
-            && (1e-200 <= size_c2_8)
-            && (1e-200 <= v21)
-            && (1e-200 <= size_c3_0)
-            && (1e-200 <= size_c3_1)
-            && (1e-200 <= size_c3_2)
-            && (1e-200 <= size_c3_3)
-            && (1e-200 <= size_c3_4)
-            && (1e-200 <= size_c3_5)
-            && (1e-200 <= size_c3_6)
-            && (1e-200 <= size_c4_3)
-            && (1e-200 <= size_c4_4)
-            && (1e-200 <= size_c5_2)
+        if !((v2 >= 1e-200)
+            && (v3 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (v4 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (size_K4 >= 1e-200)
+            && (size_K5 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (v7 >= 1e-200)
+            && (size_c1_5 >= 1e-200)
+            && (size_c2_0 >= 1e-200)
+            && (size_c2_1 >= 1e-200)
+            && (size_c2_2 >= 1e-200)
+            && (size_c2_3 >= 1e-200)
+            && (size_c2_4 >= 1e-200)
+            && (size_c2_5 >= 1e-200)
+            && (size_c2_6 >= 1e-200)
+            && (size_c2_7 >= 1e-200)
+            && (size_c2_8 >= 1e-200)
+            && (v21 >= 1e-200)
+            && (size_c3_0 >= 1e-200)
+            && (size_c3_1 >= 1e-200)
+            && (size_c3_2 >= 1e-200)
+            && (size_c3_3 >= 1e-200)
+            && (size_c3_4 >= 1e-200)
+            && (size_c3_5 >= 1e-200)
+            && (size_c3_6 >= 1e-200)
+            && (size_c4_3 >= 1e-200)
+            && (size_c4_4 >= 1e-200)
+            && (size_c5_2 >= 1e-200)
             && c1_5.is_finite()
             && hold_from.is_finite()
             && two_tau.is_finite()
@@ -539,7 +539,7 @@ impl PtcAlgebraic5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -579,7 +579,7 @@ impl PtcAlgebraic5 {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -602,7 +602,7 @@ impl PtcAlgebraic5 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcAlgebraic5Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -677,7 +677,7 @@ impl PtcAlgebraic5Gains {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -294,8 +294,8 @@ impl PtcExp12Axes2 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -375,28 +375,28 @@ impl PtcExp12Axes2 {
         let size_K10 = if k10.abs() <= 0.0 { 1e-200 } else { K10.abs() };
         let size_K11 = if k11.abs() <= 0.0 { 1e-200 } else { K11.abs() };
         let size_K12 = if k12.abs() <= 0.0 { 1e-200 } else { K12.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= v3)
-            && (1e-200 <= v4)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= v5)
-            && (1e-200 <= v6)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= v7)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= v8)
-            && (1e-200 <= size_K4)
-            && (1e-200 <= size_K5)
-            && (1e-200 <= v9)
-            && (1e-200 <= size_K6)
-            && (1e-200 <= v10)
-            && (1e-200 <= size_K7)
-            && (1e-200 <= v11)
-            && (1e-200 <= size_K8)
-            && (1e-200 <= size_K9)
-            && (1e-200 <= size_K10)
-            && (1e-200 <= size_K11)
-            && (1e-200 <= size_K12)
+        if !((v2 >= 1e-200)
+            && (v3 >= 1e-200)
+            && (v4 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (v5 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (v7 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (v8 >= 1e-200)
+            && (size_K4 >= 1e-200)
+            && (size_K5 >= 1e-200)
+            && (v9 >= 1e-200)
+            && (size_K6 >= 1e-200)
+            && (v10 >= 1e-200)
+            && (size_K7 >= 1e-200)
+            && (v11 >= 1e-200)
+            && (size_K8 >= 1e-200)
+            && (size_K9 >= 1e-200)
+            && (size_K10 >= 1e-200)
+            && (size_K11 >= 1e-200)
+            && (size_K12 >= 1e-200)
             && c1.is_finite()
             && c2.is_finite()
             && c3.is_finite()
@@ -465,7 +465,7 @@ impl PtcExp12Axes2 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp12Axes2Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -517,7 +517,7 @@ impl PtcExp12Axes2 {
         let mut u = [0.0; 2];
         let mut axes = [Ok(Status::Ok); 2];
         let mut status;
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return failed(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -606,7 +606,7 @@ impl PtcExp12Axes2 {
                         && x[axis][11].is_finite()
                     {
                         if v.is_finite() {
-                            if self.u_max < v {
+                            if v > self.u_max {
                                 u[axis] = self.u_max;
                                 axes[axis] = Ok(Status::Saturated);
                             } else {
@@ -671,7 +671,7 @@ impl PtcExp12Axes2Gains {
             && x[11].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -231,8 +231,8 @@ impl PtcExp2Axes3 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -249,8 +249,8 @@ impl PtcExp2Axes3 {
         let hold_from = -eps;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
-        if !((1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
+        if !((size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
             && c1.is_finite()
             && c2.is_finite()
             && hold_from.is_finite())
@@ -299,7 +299,7 @@ impl PtcExp2Axes3 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp2Axes3Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -333,7 +333,7 @@ impl PtcExp2Axes3 {
         let mut u = [0.0; 3];
         let mut axes = [Ok(Status::Ok); 3];
         let mut status;
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return failed(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -380,7 +380,7 @@ impl PtcExp2Axes3 {
                 if !(v.abs() <= bound) {
                     if x[axis][0].is_finite() && x[axis][1].is_finite() {
                         if v.is_finite() {
-                            if self.u_max < v {
+                            if v > self.u_max {
                                 u[axis] = self.u_max;
                                 axes[axis] = Ok(Status::Saturated);
                             } else {
@@ -428,7 +428,7 @@ impl PtcExp2Axes3Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -230,7 +230,7 @@ impl PtcExp3Axes3Own {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
+            && (eps >= 1e-150)
             && p_m.is_finite()
             && (eps < tau))
         {
@@ -243,7 +243,7 @@ impl PtcExp3Axes3Own {
         } else {
             input_gain.abs()
         };
-        if !((1e-200 <= size_input_gain) && hold_from.is_finite() && input_gain.is_finite()) {
+        if !((size_input_gain >= 1e-200) && hold_from.is_finite() && input_gain.is_finite()) {
             return Err(Error::Param);
         }
         let mut built = Self {
@@ -286,7 +286,7 @@ impl PtcExp3Axes3Own {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp3Axes3OwnGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -335,7 +335,7 @@ impl PtcExp3Axes3Own {
         let mut u = [0.0; 3];
         let mut axes = [Ok(Status::Ok); 3];
         let mut status;
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return failed(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -454,7 +454,7 @@ impl PtcExp3Axes3OwnGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max[axis as usize] < v {
+                if v > self.u_max[axis as usize] {
                     (self.u_max[axis as usize], Status::Saturated)
                 } else {
                     (-self.u_max[axis as usize], Status::Saturated)

@@ -227,8 +227,8 @@ impl PtcExp3F32 {
             && (1e-18 <= tau)
             && (tau <= 1e18)
             && t0.is_finite()
-            && (1e-18 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-18)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-18 <= a)
             && (a <= 1e18)
@@ -251,10 +251,10 @@ impl PtcExp3F32 {
         let size_K1 = if k1.abs() <= 0.0 { 1e-30 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-30 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-30 } else { K3.abs() };
-        if !((1e-30 <= v2)
-            && (1e-30 <= size_K1)
-            && (1e-30 <= size_K2)
-            && (1e-30 <= size_K3)
+        if !((v2 >= 1e-30)
+            && (size_K1 >= 1e-30)
+            && (size_K2 >= 1e-30)
+            && (size_K3 >= 1e-30)
             && c1.is_finite()
             && c2.is_finite()
             && c3.is_finite()
@@ -305,7 +305,7 @@ impl PtcExp3F32 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f32, x: &[f32; 3]) -> Result<Control<f32>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -321,7 +321,7 @@ impl PtcExp3F32 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -344,7 +344,7 @@ impl PtcExp3F32 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f32) -> Result<PtcExp3F32Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -392,7 +392,7 @@ impl PtcExp3F32Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

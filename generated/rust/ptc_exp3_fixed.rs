@@ -222,7 +222,7 @@ impl PtcExp3Fixed {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -234,7 +234,7 @@ impl PtcExp3Fixed {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if 50.0 < v {
+                if v > 50.0 {
                     (50.0, Status::Saturated)
                 } else if v < -50.0 {
                     (-50.0, Status::Saturated)
@@ -257,7 +257,7 @@ impl PtcExp3Fixed {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp3FixedGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -300,7 +300,7 @@ impl PtcExp3FixedGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if 50.0 < v {
+                if v > 50.0 {
                     (50.0, Status::Saturated)
                 } else {
                     (-50.0, Status::Saturated)

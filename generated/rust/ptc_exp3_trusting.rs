@@ -225,8 +225,8 @@ impl PtcExp3Trusting {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -249,10 +249,10 @@ impl PtcExp3Trusting {
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_K3)
+        if !((v2 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_K3 >= 1e-200)
             && c1.is_finite()
             && c2.is_finite()
             && c3.is_finite()
@@ -313,7 +313,7 @@ impl PtcExp3Trusting {
 
         // Time-to-go, or no number where v is not finite: one comparison detects tracking.
         let margin = (v - v) - late;
-        let (u, status) = if self.u_max < v {
+        let (u, status) = if v > self.u_max {
             if margin.is_nan() {
                 return Err(Error::Range);
             } else {
@@ -325,7 +325,7 @@ impl PtcExp3Trusting {
             } else {
                 (-self.u_max, Status::Saturated)
             }
-        } else if self.eps < margin {
+        } else if margin > self.eps {
             (v, Status::Ok)
         } else if margin.is_nan() {
             return Err(Error::Range);
@@ -385,7 +385,7 @@ impl PtcExp3TrustingGains {
         let v = s1 + (self.gain[2] * x[2]);
         let (u, status) = if (v - v).is_nan() {
             return Err(Error::Range);
-        } else if self.u_max < v {
+        } else if v > self.u_max {
             (self.u_max, Status::Saturated)
         } else if v < -self.u_max {
             (-self.u_max, Status::Saturated)

@@ -236,8 +236,8 @@ impl PtcExp4 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -265,12 +265,12 @@ impl PtcExp4 {
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
         let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= v3)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= size_K4)
+        if !((v2 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (v3 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (size_K4 >= 1e-200)
             && c1.is_finite()
             && c2.is_finite()
             && c3.is_finite()
@@ -323,7 +323,7 @@ impl PtcExp4 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -344,7 +344,7 @@ impl PtcExp4 {
             && x[3].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -367,7 +367,7 @@ impl PtcExp4 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp4Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -417,7 +417,7 @@ impl PtcExp4Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() && x[3].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -246,8 +246,8 @@ impl PtcExp5 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -280,14 +280,14 @@ impl PtcExp5 {
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
         let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
         let size_K5 = if k5.abs() <= 0.0 { 1e-200 } else { K5.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= v3)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= v4)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= size_K4)
-            && (1e-200 <= size_K5)
+        if !((v2 >= 1e-200)
+            && (v3 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (v4 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (size_K4 >= 1e-200)
+            && (size_K5 >= 1e-200)
             && c1.is_finite()
             && c2.is_finite()
             && c3.is_finite()
@@ -342,7 +342,7 @@ impl PtcExp5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -365,7 +365,7 @@ impl PtcExp5 {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -388,7 +388,7 @@ impl PtcExp5 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp5Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -445,7 +445,7 @@ impl PtcExp5Gains {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

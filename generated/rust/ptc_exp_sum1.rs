@@ -258,8 +258,8 @@ impl PtcExpSum1 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a1.is_finite()
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -283,7 +283,7 @@ impl PtcExpSum1 {
         let b1_2 = 0.5 * a2 * tau;
         let w1 = -k1;
         let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
-        if !((1e-200 <= size_w1)
+        if !((size_w1 >= 1e-200)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()
@@ -344,7 +344,7 @@ impl PtcExpSum1 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -375,7 +375,7 @@ impl PtcExpSum1 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -407,7 +407,7 @@ impl PtcExpSum1 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -430,7 +430,7 @@ impl PtcExpSum1 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum1Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -461,7 +461,7 @@ impl PtcExpSum1 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -521,7 +521,7 @@ impl PtcExpSum1Gains {
             (v, self.status)
         } else if x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

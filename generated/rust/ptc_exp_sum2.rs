@@ -268,8 +268,8 @@ impl PtcExpSum2 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a1.is_finite()
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -300,8 +300,8 @@ impl PtcExpSum2 {
         let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
-            && (1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
+            && (size_w1 >= 1e-200)
+            && (size_w2 >= 1e-200)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()
@@ -368,7 +368,7 @@ impl PtcExpSum2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -399,7 +399,7 @@ impl PtcExpSum2 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -433,7 +433,7 @@ impl PtcExpSum2 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -456,7 +456,7 @@ impl PtcExpSum2 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum2Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -487,7 +487,7 @@ impl PtcExpSum2 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -551,7 +551,7 @@ impl PtcExpSum2Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -275,8 +275,8 @@ impl PtcExpSum2OfThree {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a1.is_finite()
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -316,8 +316,8 @@ impl PtcExpSum2OfThree {
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
             && (b2_3 <= -1e-200)
-            && (1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
+            && (size_w1 >= 1e-200)
+            && (size_w2 >= 1e-200)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()
@@ -389,7 +389,7 @@ impl PtcExpSum2OfThree {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -422,7 +422,7 @@ impl PtcExpSum2OfThree {
             let v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
             let y_next = y + v15;
             let y_size = v15.abs();
-            if 0.0 < v12 {
+            if v12 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -462,7 +462,7 @@ impl PtcExpSum2OfThree {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -485,7 +485,7 @@ impl PtcExpSum2OfThree {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum2OfThreeGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -518,7 +518,7 @@ impl PtcExpSum2OfThree {
             let v15 = v12 * v14 * (1.0 + (0.5 * v12 * ((s1 * v14) - 1.0)));
             let y_next = y + v15;
             let y_size = v15.abs();
-            if 0.0 < v12 {
+            if v12 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -588,7 +588,7 @@ impl PtcExpSum2OfThreeGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

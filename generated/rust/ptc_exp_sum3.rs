@@ -281,8 +281,8 @@ impl PtcExpSum3 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a1.is_finite()
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -322,13 +322,13 @@ impl PtcExpSum3 {
         let size_w3 = if k3.abs() <= 0.0 { 1e-200 } else { w3.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
-            && (1e-200 <= v5)
-            && (1e-200 <= b3_1)
-            && (1e-200 <= v6)
-            && (1e-200 <= b3_2)
-            && (1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
-            && (1e-200 <= size_w3)
+            && (v5 >= 1e-200)
+            && (b3_1 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (b3_2 >= 1e-200)
+            && (size_w1 >= 1e-200)
+            && (size_w2 >= 1e-200)
+            && (size_w3 >= 1e-200)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()
@@ -401,7 +401,7 @@ impl PtcExpSum3 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -432,7 +432,7 @@ impl PtcExpSum3 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -469,7 +469,7 @@ impl PtcExpSum3 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -492,7 +492,7 @@ impl PtcExpSum3 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum3Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -523,7 +523,7 @@ impl PtcExpSum3 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -591,7 +591,7 @@ impl PtcExpSum3Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

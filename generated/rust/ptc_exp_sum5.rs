@@ -306,8 +306,8 @@ impl PtcExpSum5 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a1.is_finite()
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -361,23 +361,23 @@ impl PtcExpSum5 {
         let size_w5 = if k5.abs() <= 0.0 { 1e-200 } else { w5.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
-            && (1e-200 <= v5)
-            && (1e-200 <= b3_1)
-            && (1e-200 <= v6)
-            && (1e-200 <= b3_2)
-            && (1e-200 <= v7)
+            && (v5 >= 1e-200)
+            && (b3_1 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (b3_2 >= 1e-200)
+            && (v7 >= 1e-200)
             && (b4_1 <= -1e-200)
-            && (1e-200 <= v8)
+            && (v8 >= 1e-200)
             && (b4_2 <= -1e-200)
-            && (1e-200 <= v9)
-            && (1e-200 <= b5_1)
-            && (1e-200 <= v10)
-            && (1e-200 <= b5_2)
-            && (1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
-            && (1e-200 <= size_w3)
-            && (1e-200 <= size_w4)
-            && (1e-200 <= size_w5)
+            && (v9 >= 1e-200)
+            && (b5_1 >= 1e-200)
+            && (v10 >= 1e-200)
+            && (b5_2 >= 1e-200)
+            && (size_w1 >= 1e-200)
+            && (size_w2 >= 1e-200)
+            && (size_w3 >= 1e-200)
+            && (size_w4 >= 1e-200)
+            && (size_w5 >= 1e-200)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()
@@ -462,7 +462,7 @@ impl PtcExpSum5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -493,7 +493,7 @@ impl PtcExpSum5 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -547,7 +547,7 @@ impl PtcExpSum5 {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -570,7 +570,7 @@ impl PtcExpSum5 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum5Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -601,7 +601,7 @@ impl PtcExpSum5 {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -689,7 +689,7 @@ impl PtcExpSum5Gains {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -342,8 +342,8 @@ impl PtcExpSum9InLoops {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a1.is_finite()
             && (1e-150 <= a1)
             && (a1 <= 1e150)
@@ -425,43 +425,43 @@ impl PtcExpSum9InLoops {
         let size_w9 = if k9.abs() <= 0.0 { 1e-200 } else { w9.abs() };
         if !((b2_1 <= -1e-200)
             && (b2_2 <= -1e-200)
-            && (1e-200 <= v5)
-            && (1e-200 <= b3_1)
-            && (1e-200 <= v6)
-            && (1e-200 <= b3_2)
-            && (1e-200 <= v7)
+            && (v5 >= 1e-200)
+            && (b3_1 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (b3_2 >= 1e-200)
+            && (v7 >= 1e-200)
             && (b4_1 <= -1e-200)
-            && (1e-200 <= v8)
+            && (v8 >= 1e-200)
             && (b4_2 <= -1e-200)
-            && (1e-200 <= v9)
-            && (1e-200 <= b5_1)
-            && (1e-200 <= v10)
-            && (1e-200 <= b5_2)
-            && (1e-200 <= v11)
+            && (v9 >= 1e-200)
+            && (b5_1 >= 1e-200)
+            && (v10 >= 1e-200)
+            && (b5_2 >= 1e-200)
+            && (v11 >= 1e-200)
             && (b6_1 <= -1e-200)
-            && (1e-200 <= v12)
+            && (v12 >= 1e-200)
             && (b6_2 <= -1e-200)
-            && (1e-200 <= v13)
-            && (1e-200 <= b7_1)
-            && (1e-200 <= v14)
-            && (1e-200 <= b7_2)
-            && (1e-200 <= v15)
+            && (v13 >= 1e-200)
+            && (b7_1 >= 1e-200)
+            && (v14 >= 1e-200)
+            && (b7_2 >= 1e-200)
+            && (v15 >= 1e-200)
             && (b8_1 <= -1e-200)
-            && (1e-200 <= v16)
+            && (v16 >= 1e-200)
             && (b8_2 <= -1e-200)
-            && (1e-200 <= v17)
-            && (1e-200 <= b9_1)
-            && (1e-200 <= v18)
-            && (1e-200 <= b9_2)
-            && (1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
-            && (1e-200 <= size_w3)
-            && (1e-200 <= size_w4)
-            && (1e-200 <= size_w5)
-            && (1e-200 <= size_w6)
-            && (1e-200 <= size_w7)
-            && (1e-200 <= size_w8)
-            && (1e-200 <= size_w9)
+            && (v17 >= 1e-200)
+            && (b9_1 >= 1e-200)
+            && (v18 >= 1e-200)
+            && (b9_2 >= 1e-200)
+            && (size_w1 >= 1e-200)
+            && (size_w2 >= 1e-200)
+            && (size_w3 >= 1e-200)
+            && (size_w4 >= 1e-200)
+            && (size_w5 >= 1e-200)
+            && (size_w6 >= 1e-200)
+            && (size_w7 >= 1e-200)
+            && (size_w8 >= 1e-200)
+            && (size_w9 >= 1e-200)
             && hold_from.is_finite()
             && target_rate.is_finite()
             && slowest.is_finite()
@@ -570,7 +570,7 @@ impl PtcExpSum9InLoops {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 9]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -601,7 +601,7 @@ impl PtcExpSum9InLoops {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -667,7 +667,7 @@ impl PtcExpSum9InLoops {
             && x[8].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -690,7 +690,7 @@ impl PtcExpSum9InLoops {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExpSum9InLoopsGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -721,7 +721,7 @@ impl PtcExpSum9InLoops {
             let v13 = v10 * v12 * (1.0 + (0.5 * v10 * s1));
             let y_next = y + v13;
             let y_size = v13.abs();
-            if 0.0 < v10 {
+            if v10 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -926,7 +926,7 @@ impl PtcExpSum9InLoopsGains {
             && x[8].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -196,8 +196,8 @@ impl PtcOwnKappa2 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && (eps < tau))
@@ -210,8 +210,8 @@ impl PtcOwnKappa2 {
         let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
         let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
         let f15 = tau * tau;
-        if !((1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
+        if !((size_w1 >= 1e-200)
+            && (size_w2 >= 1e-200)
             && hold_from.is_finite()
             && f15.is_finite()
             && w1.is_finite()
@@ -262,7 +262,7 @@ impl PtcOwnKappa2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -278,16 +278,16 @@ impl PtcOwnKappa2 {
         let inv_r1 = 1.0 / (T * unit);
         let s1 = (-2.0) * ((((-(v1 * (-2.0) * (1.0 / v2))) - 1.0) - 1.0) * 0.5 * unit);
         let s2 = ((self.w1 * x[0] * inv_r1) + ((self.w2 + s1) * x[1])) * inv_r1;
-        let v = if 0.0 <= past { 0.0 } else { s2 };
+        let v = if past >= 0.0 { 0.0 } else { s2 };
         let (u, status) = if v.is_finite() && (v.abs() <= self.u_max) && (late < self.hold_from) {
             (v, Status::Ok)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
-                } else if 0.0 <= past {
+                } else if past >= 0.0 {
                     (v, Status::After)
                 } else {
                     (v, Status::Hold)

@@ -187,8 +187,8 @@ impl PtcOwnLaw1Latched {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && (eps < tau))
         {
             return Err(Error::Param);
@@ -239,7 +239,7 @@ impl PtcOwnLaw1Latched {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -256,7 +256,7 @@ impl PtcOwnLaw1Latched {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)

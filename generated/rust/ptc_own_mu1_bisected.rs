@@ -244,8 +244,8 @@ impl PtcOwnMu1Bisected {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && k1.is_finite()
             && (eps < tau))
         {
@@ -254,7 +254,7 @@ impl PtcOwnMu1Bisected {
         let hold_from = -eps;
         let w1 = -k1;
         let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
-        if !((1e-200 <= size_w1) && hold_from.is_finite() && w1.is_finite()) {
+        if !((size_w1 >= 1e-200) && hold_from.is_finite() && w1.is_finite()) {
             return Err(Error::Param);
         }
         let mut built = Self {
@@ -298,7 +298,7 @@ impl PtcOwnMu1Bisected {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -320,7 +320,7 @@ impl PtcOwnMu1Bisected {
             let s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
             let y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
             let y_size = v5.abs();
-            if 0.0 < v5 {
+            if v5 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -333,7 +333,7 @@ impl PtcOwnMu1Bisected {
             if y_size <= 1e-9 {
                 break;
             }
-            if 39 < attempt {
+            if attempt > 39 {
                 y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
             }
         }
@@ -346,7 +346,7 @@ impl PtcOwnMu1Bisected {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -369,7 +369,7 @@ impl PtcOwnMu1Bisected {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcOwnMu1BisectedGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -391,7 +391,7 @@ impl PtcOwnMu1Bisected {
             let s1 = (-((1.0 + (v2 * (0.5 * ((y + y) * (1.0 / v1))))) * v3)) * 2.0 * 0.5;
             let y_next = y - (v5 * (v4 / (v4 * (0.1 * s1))));
             let y_size = v5.abs();
-            if 0.0 < v5 {
+            if v5 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -404,7 +404,7 @@ impl PtcOwnMu1Bisected {
             if y_size <= 1e-9 {
                 break;
             }
-            if 39 < attempt {
+            if attempt > 39 {
                 y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
             }
         }
@@ -445,7 +445,7 @@ impl PtcOwnMu1BisectedGains {
             (v, self.status)
         } else if x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -255,8 +255,8 @@ impl PtcOwnMu2Iterated {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && p_a.is_finite()
@@ -273,8 +273,8 @@ impl PtcOwnMu2Iterated {
         let size_w1 = if k1.abs() <= 0.0 { 1e-200 } else { w1.abs() };
         let size_w2 = if k2.abs() <= 0.0 { 1e-200 } else { w2.abs() };
         let f63 = f29 * f29 * 0.5;
-        if !((1e-200 <= size_w1)
-            && (1e-200 <= size_w2)
+        if !((size_w1 >= 1e-200)
+            && (size_w2 >= 1e-200)
             && hold_from.is_finite()
             && f29.is_finite()
             && f63.is_finite()
@@ -327,7 +327,7 @@ impl PtcOwnMu2Iterated {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -351,7 +351,7 @@ impl PtcOwnMu2Iterated {
             let s1 = v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29);
             let y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
             let y_size = v7.abs();
-            if 0.0 < v7 {
+            if v7 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -364,7 +364,7 @@ impl PtcOwnMu2Iterated {
             if y_size <= 1e-9 {
                 break;
             }
-            if 39 < attempt {
+            if attempt > 39 {
                 y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
             }
         }
@@ -388,7 +388,7 @@ impl PtcOwnMu2Iterated {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -411,7 +411,7 @@ impl PtcOwnMu2Iterated {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcOwnMu2IteratedGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -435,7 +435,7 @@ impl PtcOwnMu2Iterated {
             let s1 = v5 * ((-(v3 * self.f29 * (1.0 / v4))) + self.f29);
             let y_next = y - (v7 * (v6 / ((v2 * (-(2.0 * (1.0 / v1)))) + s1)));
             let y_size = v7.abs();
-            if 0.0 < v7 {
+            if v7 > 0.0 {
                 y_low = y;
             } else {
                 y_high = y;
@@ -448,7 +448,7 @@ impl PtcOwnMu2Iterated {
             if y_size <= 1e-9 {
                 break;
             }
-            if 39 < attempt {
+            if attempt > 39 {
                 y = math::sqrt(y_low + 1e-300) * math::sqrt(y_high);
             }
         }
@@ -502,7 +502,7 @@ impl PtcOwnMu2IteratedGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -217,8 +217,8 @@ impl PtcRational2 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -237,9 +237,9 @@ impl PtcRational2 {
         let hold_from = -eps;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
-        if !((1e-200 <= v1)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
+        if !((v1 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
             && c1.is_finite()
             && c2_0.is_finite()
             && hold_from.is_finite())
@@ -288,7 +288,7 @@ impl PtcRational2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -305,7 +305,7 @@ impl PtcRational2 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -328,7 +328,7 @@ impl PtcRational2 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcRational2Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -375,7 +375,7 @@ impl PtcRational2Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -222,8 +222,8 @@ impl PtcSoft1 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -242,7 +242,7 @@ impl PtcSoft1 {
         let hold_after = tau - eps;
         let hold_from = -eps;
         let size_K1 = if k1.abs() <= 0.0 { 1e-200 } else { K1.abs() };
-        if !((1e-200 <= size_K1)
+        if !((size_K1 >= 1e-200)
             && c1.is_finite()
             && first_slope.is_finite()
             && softness.is_finite()
@@ -295,7 +295,7 @@ impl PtcSoft1 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 1]) -> Result<Control<f64>, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let v1 = t - self.t0;
@@ -320,7 +320,7 @@ impl PtcSoft1 {
             (v, Status::Ok)
         } else if x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -343,7 +343,7 @@ impl PtcSoft1 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcSoft1Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let v1 = t - self.t0;
@@ -396,7 +396,7 @@ impl PtcSoft1Gains {
             (v, self.status)
         } else if x[0].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -271,8 +271,8 @@ impl PtcSoft5 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -318,14 +318,14 @@ impl PtcSoft5 {
         let size_K3 = if k3.abs() <= 0.0 { 1e-200 } else { K3.abs() };
         let size_K4 = if k4.abs() <= 0.0 { 1e-200 } else { K4.abs() };
         let size_K5 = if k5.abs() <= 0.0 { 1e-200 } else { K5.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= v3)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= v4)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= size_K4)
-            && (1e-200 <= size_K5)
+        if !((v2 >= 1e-200)
+            && (v3 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (v4 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (size_K4 >= 1e-200)
+            && (size_K5 >= 1e-200)
             && c1.is_finite()
             && c2_0.is_finite()
             && c2_1.is_finite()
@@ -398,7 +398,7 @@ impl PtcSoft5 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 5]) -> Result<Control<f64>, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let v1 = t - self.t0;
@@ -437,7 +437,7 @@ impl PtcSoft5 {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -460,7 +460,7 @@ impl PtcSoft5 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcSoft5Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let v1 = t - self.t0;
@@ -534,7 +534,7 @@ impl PtcSoft5Gains {
             && x[4].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -227,8 +227,8 @@ impl PtcTan2 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -251,10 +251,10 @@ impl PtcTan2 {
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let size_c2_0 = if k2.abs() <= 0.0 { 1e-200 } else { c2_0.abs() };
         let size_c2_2 = if k2.abs() <= 0.0 { 1e-200 } else { c2_2.abs() };
-        if !((1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_c2_0)
-            && (1e-200 <= size_c2_2)
+        if !((size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_c2_0 >= 1e-200)
+            && (size_c2_2 >= 1e-200)
             && c1_2.is_finite()
             && angle_rate.is_finite()
             && inv_angle_rate.is_finite()
@@ -311,7 +311,7 @@ impl PtcTan2 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -344,7 +344,7 @@ impl PtcTan2 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -367,7 +367,7 @@ impl PtcTan2 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan2Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -428,7 +428,7 @@ impl PtcTan2Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -246,8 +246,8 @@ impl PtcTan3 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -284,15 +284,15 @@ impl PtcTan3 {
         let size_c2_4 = if k2.abs() <= 0.0 { 1e-200 } else { c2_4.abs() };
         let size_c3_0 = if k3.abs() <= 0.0 { 1e-200 } else { c3_0.abs() };
         let size_c3_2 = if k3.abs() <= 0.0 { 1e-200 } else { c3_2.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= size_c2_1)
-            && (1e-200 <= size_c2_3)
-            && (1e-200 <= size_c2_4)
-            && (1e-200 <= size_c3_0)
-            && (1e-200 <= size_c3_2)
+        if !((v2 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (size_c2_1 >= 1e-200)
+            && (size_c2_3 >= 1e-200)
+            && (size_c2_4 >= 1e-200)
+            && (size_c3_0 >= 1e-200)
+            && (size_c3_2 >= 1e-200)
             && c1_3.is_finite()
             && angle_rate.is_finite()
             && inv_angle_rate.is_finite()
@@ -359,7 +359,7 @@ impl PtcTan3 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -395,7 +395,7 @@ impl PtcTan3 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -418,7 +418,7 @@ impl PtcTan3 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan3Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -483,7 +483,7 @@ impl PtcTan3Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -271,8 +271,8 @@ impl PtcTan4 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -330,23 +330,23 @@ impl PtcTan4 {
         let size_c3_4 = if k3.abs() <= 0.0 { 1e-200 } else { c3_4.abs() };
         let size_c4_0 = if k4.abs() <= 0.0 { 1e-200 } else { c4_0.abs() };
         let size_c4_2 = if k4.abs() <= 0.0 { 1e-200 } else { c4_2.abs() };
-        if !((1e-200 <= v2)
-            && (1e-200 <= size_K1)
-            && (1e-200 <= v3)
-            && (1e-200 <= size_K2)
-            && (1e-200 <= size_K3)
-            && (1e-200 <= size_K4)
-            && (1e-200 <= v6)
-            && (1e-200 <= size_c2_0)
-            && (1e-200 <= size_c2_2)
-            && (1e-200 <= size_c2_4)
-            && (1e-200 <= size_c2_5)
-            && (1e-200 <= size_c2_6)
-            && (1e-200 <= size_c3_1)
-            && (1e-200 <= size_c3_3)
-            && (1e-200 <= size_c3_4)
-            && (1e-200 <= size_c4_0)
-            && (1e-200 <= size_c4_2)
+        if !((v2 >= 1e-200)
+            && (size_K1 >= 1e-200)
+            && (v3 >= 1e-200)
+            && (size_K2 >= 1e-200)
+            && (size_K3 >= 1e-200)
+            && (size_K4 >= 1e-200)
+            && (v6 >= 1e-200)
+            && (size_c2_0 >= 1e-200)
+            && (size_c2_2 >= 1e-200)
+            && (size_c2_4 >= 1e-200)
+            && (size_c2_5 >= 1e-200)
+            && (size_c2_6 >= 1e-200)
+            && (size_c3_1 >= 1e-200)
+            && (size_c3_3 >= 1e-200)
+            && (size_c3_4 >= 1e-200)
+            && (size_c4_0 >= 1e-200)
+            && (size_c4_2 >= 1e-200)
             && c1_4.is_finite()
             && angle_rate.is_finite()
             && inv_angle_rate.is_finite()
@@ -427,7 +427,7 @@ impl PtcTan4 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 4]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -475,7 +475,7 @@ impl PtcTan4 {
             && x[3].is_finite()
         {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -498,7 +498,7 @@ impl PtcTan4 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan4Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -570,7 +570,7 @@ impl PtcTan4Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() && x[3].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

@@ -225,8 +225,8 @@ impl PtcTanh3Extern {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -303,7 +303,7 @@ impl PtcTanh3Extern {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
+        if !(t.is_finite() && (t >= self.t0) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return Err(Error::Input);
         }
@@ -328,7 +328,7 @@ impl PtcTanh3Extern {
         let xi = &[x1, xi2, xi3];
         let law = pi0(xi, t_kappa);
         let applied: f64;
-        if 0.0 <= past {
+        if past >= 0.0 {
             applied = after(x, t);
         } else {
             let s1 = ((v4 * v4) + (2.0 * (-v3))) * 0.16666666666666666;
@@ -337,13 +337,13 @@ impl PtcTanh3Extern {
         }
         let v = applied;
         let (u, status) = if v.is_finite() {
-            if self.u_max < v {
+            if v > self.u_max {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {
                 (-self.u_max, Status::Saturated)
             } else if late < self.hold_from {
                 (v, Status::Ok)
-            } else if 0.0 <= past {
+            } else if past >= 0.0 {
                 (v, Status::After)
             } else {
                 (v, Status::Hold)

@@ -33,6 +33,10 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_1 15.0f /* weight in the observer's gain l1 */
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_2 (-12.0f) /* weight in the observer's gain l1 */
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_3 4.5f /* 9/2, weight in the observer's gain l1 */
 ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
     a_name_that_fills_half_of_a_line_alone_4 *self,
     const a_name_that_fills_half_of_a_line_alone_4_params *params)
@@ -40,14 +44,14 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((5U < params->samples)
+        if ((params->samples > 5U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (0.0f < params->u_max)
+            && (params->u_max > 0.0f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float phi1_2 = params->h;
             const float phi1_3 = 0.5f * (params->h * params->h);
@@ -61,7 +65,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
             const float e0_3 = 0.35f * (1.0f / (params->h * params->h));
             const float s1 = ((params->k[1] / 2.0f) - 1.0f) + 2.0f;
             const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float w1_1 = (-(params->k[0] / 4.0f)) * (1.0f / (params->h * params->h));
             const float w1_2 = (-0.5f) * (-(params->k[0] / 4.0f)) * (1.0f / params->h);
             const float w2_2 = (1.0f - (params->k[1] / 2.0f)) * (1.0f / params->h);
@@ -83,8 +87,8 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
                 && PTC_FINITE_F32(w2_2)
                 && PTC_FINITE_F32(b_1)
                 && PTC_FINITE_F32(b_2)
-                && (1e-30f <= params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h) >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0f;
@@ -173,11 +177,11 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_step(
             float l1;
             float l2;
             float l3;
-            if (6.0f < o0) {
+            if (o0 > 6.0f) {
                 const float r0 = 1.0f / o0;
                 const float r1 = 1.0f / (o0 - 1.0f);
                 const float r2 = 1.0f / (o0 - 2.0f);
-                l1 = ((((15.0f * r0) - 12.0f) * r1) + 4.5f) * r2;
+                l1 = ((((A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_1 * r0) + A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_2) * r1) + A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_3) * r2;
                 l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
                 l3 = 0.0f;
             } else if (left_o == 6U) {
@@ -199,11 +203,11 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_step(
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const float m0 = (float)left;
             float v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const float z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
                 const float z2 = self->w2_2 * x2;
-                v = (((z1 / m0) + z2) / (m0 - 1.0f)) - d;
+                v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0f))) - d;
             } else {
                 /* Deadbeat. */
                 v = ((self->b_1 * x1) + (self->b_2 * x2)) - d;
@@ -212,7 +216,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_step(
             if (PTC_FINITE_F32(v)) {
                 float u_now;
                 if (elapsed < self->samples) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         u_now = self->u_max;
                     } else if (v < -self->u_max) {
                         u_now = -self->u_max;
@@ -229,7 +233,7 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_step(
                 self->seen = 1U;
                 *u = u_now;
                 if (elapsed < self->samples) {
-                    if ((self->u_max < v) || (v < -self->u_max)) {
+                    if ((v > self->u_max) || (v < -self->u_max)) {
                         status = PTC_SATURATED;
                     } else {
                         status = PTC_OK;

@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_16C69C43_H
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_16C69C43_H
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_D548CD77_H
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_D548CD77_H
 
 #include <stdint.h>
 
@@ -87,10 +87,10 @@ typedef struct a_name_that_fills_half_of_a_line_alone_4 {
     float x1_hat; /* estimate of x1 */
     float x2_hat; /* estimate of x2 */
     float d_hat; /* estimate of d */
-    float phi1_2; /* prediction from a state */
-    float phi1_3; /* prediction from a state */
-    float q2_1; /* weight in the observer's gains */
-    float q2_2; /* weight in the observer's gains */
+    float phi1_2; /* prediction of x1 from x2 */
+    float phi1_3; /* prediction of x1 from d */
+    float q2_1; /* weight in the observer's gain l2 */
+    float q2_2; /* weight in the observer's gain l2 */
     float e2_2; /* gain of the observer at its end */
     float e2_3; /* gain of the observer at its end */
     float e1_2; /* gain of the observer at its end */
@@ -98,11 +98,11 @@ typedef struct a_name_that_fills_half_of_a_line_alone_4 {
     float e0_2; /* gain of the observer at its end */
     float e0_3; /* gain of the observer at its end */
     float deadbeat; /* samples to go at which deadbeat takes over */
-    float w1_1; /* weight of a state in the law */
-    float w1_2; /* weight of a state in the law */
-    float w2_2; /* weight of a state in the law */
-    float b_1; /* weight of a state in the law */
-    float b_2; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
+    float w1_2; /* weight of x2 in the law */
+    float w2_2; /* weight of x2 in the law */
+    float b_1; /* weight of x1 in the law */
+    float b_2; /* weight of x2 in the law */
     float u_max; /* bound of |u| */
 } a_name_that_fills_half_of_a_line_alone_4;
 

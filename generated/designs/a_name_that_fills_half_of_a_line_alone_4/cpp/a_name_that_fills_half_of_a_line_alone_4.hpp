@@ -41,8 +41,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_A5C7C708_HPP
-#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_A5C7C708_HPP
+#ifndef A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_1BD17FF9_HPP
+#define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_1BD17FF9_HPP
 
 #include <array>
 #include <cfloat>
@@ -119,14 +119,14 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((5U < params.samples)
+        if (!((params.samples > 5U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
-                && (0.0f < params.u_max)
+                && (params.u_max > 0.0f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -142,7 +142,7 @@ public:
         const float e0_3 = 0.35f * (1.0f / (params.h * params.h));
         const float s1 = ((params.k[1] / 2.0f) - 1.0f) + 2.0f;
         const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-        const float deadbeat = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float w1_1 = (-(params.k[0] / 4.0f)) * (1.0f / (params.h * params.h));
         const float w1_2 = (-0.5f) * (-(params.k[0] / 4.0f)) * (1.0f / params.h);
         const float w2_2 = (1.0f - (params.k[1] / 2.0f)) * (1.0f / params.h);
@@ -164,8 +164,8 @@ public:
                 && finite(w2_2)
                 && finite(b_1)
                 && finite(b_2)
-                && (1e-30f <= params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h) >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -241,11 +241,11 @@ public:
         float l1{};
         float l2{};
         float l3{};
-        if (6.0f < o0) {
+        if (o0 > 6.0f) {
             const float r0 = 1.0f / o0;
             const float r1 = 1.0f / (o0 - 1.0f);
             const float r2 = 1.0f / (o0 - 2.0f);
-            l1 = ((((15.0f * r0) - 12.0f) * r1) + 4.5f) * r2;
+            l1 = ((((q1_1_ * r0) + q1_2_) * r1) + q1_3_) * r2;
             l2 = ((q2_1_ * r0) + q2_2_) * r1 * r2;
             l3 = 0.0f;
         } else if (left_o == 6U) {
@@ -267,11 +267,11 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const float m0 = static_cast<float>(left);
         float v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const float z1 = (w1_1_ * x1) + (w1_2_ * x2);
             const float z2 = w2_2_ * x2;
-            v = (((z1 / m0) + z2) / (m0 - 1.0f)) - d;
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0f))) - d;
         } else {
             // Deadbeat.
             v = ((b_1_ * x1) + (b_2_ * x2)) - d;
@@ -281,7 +281,7 @@ public:
         }
         float u_now{};
         if (elapsed < samples_) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 u_now = u_max_;
             } else if (v < -u_max_) {
                 u_now = -u_max_;
@@ -297,7 +297,7 @@ public:
         d_hat_ = d;
         seen_ = 1U;
         if (elapsed < samples_) {
-            if ((u_max_ < v) || (v < -u_max_)) {
+            if ((v > u_max_) || (v < -u_max_)) {
                 return {u_now, Status::Saturated};
             } else {
                 return {u_now, Status::Ok};
@@ -330,6 +330,12 @@ private:
     {
         return (v > 0.0f) ? v : (0.0f - v);
     }
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_1_{15.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_2_{-12.0f};
+    /// 9/2, weight in the observer's gain l1.
+    static constexpr float q1_3_{4.5f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -338,10 +344,10 @@ private:
     float x1_hat_{}; // estimate of x1
     float x2_hat_{}; // estimate of x2
     float d_hat_{}; // estimate of d
-    float phi1_2_{}; // prediction from a state
-    float phi1_3_{}; // prediction from a state
-    float q2_1_{}; // weight in the observer's gains
-    float q2_2_{}; // weight in the observer's gains
+    float phi1_2_{}; // prediction of x1 from x2
+    float phi1_3_{}; // prediction of x1 from d
+    float q2_1_{}; // weight in the observer's gain l2
+    float q2_2_{}; // weight in the observer's gain l2
     float e2_2_{}; // gain of the observer at its end
     float e2_3_{}; // gain of the observer at its end
     float e1_2_{}; // gain of the observer at its end
@@ -349,11 +355,11 @@ private:
     float e0_2_{}; // gain of the observer at its end
     float e0_3_{}; // gain of the observer at its end
     float deadbeat_{}; // samples to go at which deadbeat takes over
-    float w1_1_{}; // weight of a state in the law
-    float w1_2_{}; // weight of a state in the law
-    float w2_2_{}; // weight of a state in the law
-    float b_1_{}; // weight of a state in the law
-    float b_2_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
+    float w1_2_{}; // weight of x2 in the law
+    float w2_2_{}; // weight of x2 in the law
+    float b_1_{}; // weight of x1 in the law
+    float b_2_{}; // weight of x2 in the law
     float u_max_{}; // bound of |u|
 };
 

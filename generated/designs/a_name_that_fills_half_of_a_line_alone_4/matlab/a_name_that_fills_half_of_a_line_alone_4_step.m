@@ -14,6 +14,9 @@ function [u, status, self] = a_name_that_fills_half_of_a_line_alone_4_step(self,
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+q1_1 = single(15.0); % weight in the observer's gain l1
+q1_2 = -single(12.0); % weight in the observer's gain l1
+q1_3 = single(4.5); % 9/2, weight in the observer's gain l1
 u = single(0.0);
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -45,11 +48,11 @@ else
 end
 left_o = bitshift(self.samples, -1) - elapsed;
 o0 = single(left_o);
-if single(6.0) < o0
+if o0 > single(6.0)
     r0 = single(1.0) / o0;
     r1 = single(1.0) / (o0 - single(1.0));
     r2 = single(1.0) / (o0 - single(2.0));
-    l1 = ((((single(15.0) * r0) - single(12.0)) * r1) + single(4.5)) * r2;
+    l1 = ((((q1_1 * r0) + q1_2) * r1) + q1_3) * r2;
     l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
     l3 = single(0.0);
 elseif left_o == uint32(6)
@@ -70,11 +73,11 @@ x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);
 left = self.samples - elapsed;
 m0 = single(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
     z2 = self.w2_2 * x2;
-    v = (((z1 / m0) + z2) / (m0 - single(1.0))) - d;
+    v = ((z1 + (z2 * m0)) / (m0 * (m0 - single(1.0)))) - d;
 else
     % Deadbeat.
     v = ((self.b_1 * x1) + (self.b_2 * x2)) - d;
@@ -84,7 +87,7 @@ if ~isfinite(v)
     return;
 end
 if elapsed < self.samples
-    if self.u_max < v
+    if v > self.u_max
         u_now = self.u_max;
     elseif v < -self.u_max
         u_now = -self.u_max;
@@ -100,7 +103,7 @@ self.x2_hat = x2;
 self.d_hat = d;
 self.seen = uint32(1);
 if elapsed < self.samples
-    if (self.u_max < v) || (v < -self.u_max)
+    if (v > self.u_max) || (v < -self.u_max)
         u = u_now;
         status = int32(2);
     else

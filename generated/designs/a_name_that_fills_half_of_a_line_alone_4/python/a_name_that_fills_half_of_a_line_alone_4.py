@@ -112,6 +112,13 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight in the observer's gain l1.
+_Q1_1 = _R(_R(15.0))
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-_R(12.0))
+# 9/2, weight in the observer's gain l1.
+_Q1_3 = _R(_R(4.5))
+
 class ANameThatFillsHalfOfALineAlone4:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -127,17 +134,17 @@ class ANameThatFillsHalfOfALineAlone4:
             given_u_max = _R(params.u_max)
             given_k = _numbers(params.k, 2, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (5 < given_samples):
+            if not (given_samples > 5):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 6")
             if not (_R(1.000000045813705e-18) <= given_h <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.h is {params.h}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             phi1_2 = given_h
@@ -152,7 +159,7 @@ class ANameThatFillsHalfOfALineAlone4:
             e0_3 = _R(0.3499999940395355) * (_R(1.0) / (given_h * given_h))
             s1 = ((given_k[1] / _R(2.0)) - _R(1.0)) + _R(2.0)
             s2 = max(s1, _R(4.0))
-            deadbeat = given_deadbeat if _R(0.0) < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > _R(0.0) else s2
             w1_1 = (-(given_k[0] / _R(4.0))) * (_R(1.0) / (given_h * given_h))
             w1_2 = (-_R(0.5)) * (-(given_k[0] / _R(4.0))) * (_R(1.0) / given_h)
             w2_2 = (_R(1.0) - (given_k[1] / _R(2.0))) * (_R(1.0) / given_h)
@@ -175,8 +182,8 @@ class ANameThatFillsHalfOfALineAlone4:
                 and np.isfinite(w2_2)
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
-                and (_R(1.0000000031710769e-30) <= given_h * given_h)
-                and (_R(1.0000000031710769e-30) <= _R(1.0) / (given_h * given_h))
+                and (given_h * given_h >= _R(1.0000000031710769e-30))
+                and (_R(1.0) / (given_h * given_h) >= _R(1.0000000031710769e-30))
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -248,11 +255,11 @@ class ANameThatFillsHalfOfALineAlone4:
                 miss = y[0] - p1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = _R(left_o)
-            if _R(6.0) < o0:
+            if o0 > _R(6.0):
                 r0 = _R(1.0) / o0
                 r1 = _R(1.0) / (o0 - _R(1.0))
                 r2 = _R(1.0) / (o0 - _R(2.0))
-                l1 = ((((_R(15.0) * r0) - _R(12.0)) * r1) + _R(4.5)) * r2
+                l1 = ((((_Q1_1 * r0) + _Q1_2) * r1) + _Q1_3) * r2
                 l2 = ((self._q2_1 * r0) + self._q2_2) * r1 * r2
                 l3 = _R(0.0)
             elif left_o == 6:
@@ -272,18 +279,18 @@ class ANameThatFillsHalfOfALineAlone4:
             d = p3 + (l3 * miss)
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2)
                 z2 = self._w2_2 * x2
-                v = (((z1 / m0) + z2) / (m0 - _R(1.0))) - d
+                v = ((z1 + (z2 * m0)) / (m0 * (m0 - _R(1.0)))) - d
             else:
                 # Deadbeat.
                 v = ((self._b_1 * x1) + (self._b_2 * x2)) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
             if elapsed < self._samples:
-                if self._u_max < v:
+                if v > self._u_max:
                     u_now = self._u_max
                 elif v < -self._u_max:
                     u_now = -self._u_max
@@ -297,7 +304,7 @@ class ANameThatFillsHalfOfALineAlone4:
             self._d_hat = d
             self._seen = 1
             if elapsed < self._samples:
-                if (self._u_max < v) or (v < -self._u_max):
+                if (v > self._u_max) or (v < -self._u_max):
                     return Control(u_now, Status.SATURATED)
                 else:
                     return Control(u_now, Status.OK)

@@ -149,13 +149,13 @@ pub struct ANameThatFillsHalfOfALineAlone4 {
     x2_hat: f32,
     /// estimate of d.
     d_hat: f32,
-    /// prediction from a state.
+    /// prediction of x1 from x2.
     phi1_2: f32,
-    /// prediction from a state.
+    /// prediction of x1 from d.
     phi1_3: f32,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f32,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_2: f32,
     /// gain of the observer at its end.
     e2_2: f32,
@@ -171,15 +171,15 @@ pub struct ANameThatFillsHalfOfALineAlone4 {
     e0_3: f32,
     /// samples to go at which deadbeat takes over.
     deadbeat: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f32,
     /// bound of |u|.
     u_max: f32,
@@ -194,19 +194,26 @@ pub struct ANameThatFillsHalfOfALineAlone4 {
     clippy::nursery
 )]
 impl ANameThatFillsHalfOfALineAlone4 {
+    /// Weight in the observer's gain l1.
+    const Q1_1: f32 = 15.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f32 = -12.0;
+    /// 9/2, weight in the observer's gain l1.
+    const Q1_3: f32 = 4.5;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: ANameThatFillsHalfOfALineAlone4Params) -> Result<Self, Error> {
-        if !((5 < params.samples)
+        if !((params.samples > 5)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
@@ -223,7 +230,7 @@ impl ANameThatFillsHalfOfALineAlone4 {
         let e0_3 = 0.35 * (1.0 / (params.h * params.h));
         let s1 = ((params.k[1] / 2.0) - 1.0) + 2.0;
         let s2 = if s1 < 4.0 { 4.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -249,8 +256,8 @@ impl ANameThatFillsHalfOfALineAlone4 {
             && w2_2.is_finite()
             && b_1.is_finite()
             && b_2.is_finite()
-            && (1e-30 <= params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h) >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -330,11 +337,11 @@ impl ANameThatFillsHalfOfALineAlone4 {
         let l1: f32;
         let l2: f32;
         let l3: f32;
-        if 6.0 < o0 {
+        if o0 > 6.0 {
             let r0 = 1.0 / o0;
             let r1 = 1.0 / (o0 - 1.0);
             let r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((15.0 * r0) - 12.0) * r1) + 4.5) * r2;
+            l1 = ((((Self::Q1_1 * r0) + Self::Q1_2) * r1) + Self::Q1_3) * r2;
             l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
             l3 = 0.0;
         } else if left_o == 6 {
@@ -356,11 +363,11 @@ impl ANameThatFillsHalfOfALineAlone4 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f32;
         let v: f32;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
             let z2 = self.w2_2 * x2;
-            v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) - d;
         } else {
             // Deadbeat.
             v = ((self.b_1 * x1) + (self.b_2 * x2)) - d;
@@ -370,7 +377,7 @@ impl ANameThatFillsHalfOfALineAlone4 {
         }
         let u_now: f32;
         if elapsed < self.samples {
-            if self.u_max < v {
+            if v > self.u_max {
                 u_now = self.u_max;
             } else if v < -self.u_max {
                 u_now = -self.u_max;
@@ -386,7 +393,7 @@ impl ANameThatFillsHalfOfALineAlone4 {
         self.d_hat = d;
         self.seen = 1;
         let status = if elapsed < self.samples {
-            if (self.u_max < v) || (v < -self.u_max) {
+            if (v > self.u_max) || (v < -self.u_max) {
                 Status::Saturated
             } else {
                 Status::Ok

@@ -88,7 +88,7 @@ ptc_status barrier_arm_step(
         const double x3 = x[2];
         const double x4 = x[3];
         if (PTC_FINITE_F64(t)
-            && (self->t0 <= t)
+            && (t >= self->t0)
             && PTC_FINITE_F64(x1)
             && PTC_FINITE_F64(x2)
             && PTC_FINITE_F64(x3)
@@ -135,7 +135,7 @@ ptc_status barrier_arm_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (120.0 < control1) {
+                if (control1 > 120.0) {
                     u[0] = 120.0;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -146,7 +146,7 @@ ptc_status barrier_arm_step(
                 } else {
                     /* neither */
                 }
-                if (60.0 < control2) {
+                if (control2 > 60.0) {
                     u[1] = 60.0;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

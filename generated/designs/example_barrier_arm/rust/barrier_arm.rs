@@ -289,7 +289,7 @@ impl BarrierArm {
         let x3 = x[2];
         let x4 = x[3];
         if !(t.is_finite()
-            && (self.t0 <= t)
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -339,7 +339,7 @@ impl BarrierArm {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if 120.0 < control1 {
+            if control1 > 120.0 {
                 u[0] = 120.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -348,7 +348,7 @@ impl BarrierArm {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 60.0 < control2 {
+            if control2 > 60.0 {
                 u[1] = 60.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -72,8 +72,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef STAGE_B9B007CB_HPP
-#define STAGE_B9B007CB_HPP
+#ifndef STAGE_051D190D_HPP
+#define STAGE_051D190D_HPP
 
 #include <array>
 #include <cfloat>
@@ -159,7 +159,7 @@ struct [[nodiscard]] StageGains {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (u_max < v) {
+                if (v > u_max) {
                     return {u_max, Status::Saturated};
                 } else {
                     return {-u_max, Status::Saturated};
@@ -205,8 +205,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && (eps < tau))) {
             return Status::Param;
         }
@@ -251,7 +251,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 3>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -263,7 +263,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};
@@ -282,7 +282,7 @@ public:
     /// each. The result of tick and axis may differ from that of step in the last bits.
     constexpr Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;

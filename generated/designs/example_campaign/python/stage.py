@@ -162,7 +162,7 @@ class Gains:
             way1 = np.isfinite(v) & (np.abs(v) <= self.u_max)
             way2 = np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = np.isfinite(v)
-            way4 = self.u_max < v
+            way4 = v > self.u_max
             status = np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT))
             status = np.where(self.status < 0, self.status, status)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self.u_max, -self.u_max))), status.astype(np.int8))
@@ -187,9 +187,9 @@ class Stage:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (1e-150 <= eps):
+            if not (eps >= 1e-150):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (eps < tau):
                 raise ValueError(f"params.eps is {params.eps}; legal: < tau")
@@ -240,9 +240,9 @@ class Stage:
             way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = np.isfinite(v)
-            way4 = self._u_max < v
+            way4 = v > self._u_max
             way5 = v < -self._u_max
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(t >= self._t0, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self._u_max, np.where(way5, -self._u_max, v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
@@ -257,6 +257,6 @@ class Stage:
             late = np.where(past < self._hold_from, past, self._hold_from)
             inv_T = (-1.0) / late
             way1 = late < self._hold_from
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
             gain = np.stack(np.broadcast_arrays((-120.0) * (inv_T * inv_T) * inv_T, (-60.0) * inv_T * inv_T, (-12.0) * inv_T), axis=-1)
             return Gains(gain, np.asarray(self._u_max), status.astype(np.int8))

@@ -49,8 +49,8 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(k1)
             && PTC_FINITE_F64(k2)
             && PTC_FINITE_F64(k3)
@@ -60,7 +60,7 @@ ptc_status ptc_exp3_init(ptc_exp3 *self, const ptc_exp3_params *params)
             const double c3 = (-k3) + 3.0;
             const double hold_from = -eps;
             const double size_c1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(c1);
-            if ((1e-200 <= size_c1)
+            if ((size_c1 >= 1e-200)
                 && PTC_FINITE_F64(c1)
                 && PTC_FINITE_F64(c2)
                 && PTC_FINITE_F64(c3)
@@ -113,7 +113,7 @@ ptc_status ptc_exp3_step(const ptc_exp3 *self, double t, const double x[3], doub
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -127,7 +127,7 @@ ptc_status ptc_exp3_step(const ptc_exp3 *self, double t, const double x[3], doub
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -154,7 +154,7 @@ ptc_status ptc_exp3_tick(const ptc_exp3 *self, double t, ptc_exp3_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -188,7 +188,7 @@ ptc_status ptc_exp3_axis(const ptc_exp3_gains *gains, const double x[3], double 
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(x[2])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

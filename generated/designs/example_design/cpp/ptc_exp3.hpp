@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 5 additions or comparisons, 6
  *       multiplications, 1 division.
  */
-#ifndef PTC_EXP3_1AFCDA1E_HPP
-#define PTC_EXP3_1AFCDA1E_HPP
+#ifndef PTC_EXP3_FD16A08E_HPP
+#define PTC_EXP3_FD16A08E_HPP
 
 #include <array>
 #include <cfloat>
@@ -159,7 +159,7 @@ struct [[nodiscard]] PtcExp3Gains {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (u_max < v) {
+                if (v > u_max) {
                     return {u_max, Status::Saturated};
                 } else {
                     return {-u_max, Status::Saturated};
@@ -208,8 +208,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && finite(k1)
                 && finite(k2)
                 && finite(k3)
@@ -221,7 +221,7 @@ public:
         const double c3 = (-k3) + 3.0;
         const double hold_from = -eps;
         const double size_c1 = (absolute(k1) <= 0.0) ? 1e-200 : absolute(c1);
-        if (!((1e-200 <= size_c1) && finite(c1) && finite(c2) && finite(c3) && finite(hold_from))) {
+        if (!((size_c1 >= 1e-200) && finite(c1) && finite(c2) && finite(c3) && finite(hold_from))) {
             return Status::Param;
         }
         built.c1_ = c1;
@@ -264,7 +264,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 3>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -276,7 +276,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};
@@ -295,7 +295,7 @@ public:
     /// each. The result of tick and axis may differ from that of step in the last bits.
     constexpr Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;

@@ -105,10 +105,10 @@ end
 if ~isfinite(t0)
     error('ptc_exp3:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(1e-150 <= eps)
+if ~(eps >= 1e-150)
     error('ptc_exp3:param', 'params.eps is %g; legal: >= 1e-150', params.eps);
 end
-if ~(0.0 < u_max)
+if ~(u_max > 0.0)
     error('ptc_exp3:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(k1)
@@ -128,7 +128,7 @@ c2 = ((-k2) + k3) - 1.0;
 c3 = (-k3) + 3.0;
 hold_from = -eps;
 size_c1 = pick(abs(k1) <= 0.0, 1e-200, abs(c1));
-if ~((1e-200 <= size_c1) && isfinite(c1) && isfinite(c2) && isfinite(c3) && isfinite(hold_from))
+if ~((size_c1 >= 1e-200) && isfinite(c1) && isfinite(c2) && isfinite(c3) && isfinite(hold_from))
     error('ptc_exp3:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.c1 = c1;

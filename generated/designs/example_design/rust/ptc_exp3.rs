@@ -224,8 +224,8 @@ impl PtcExp3 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && k1.is_finite()
             && k2.is_finite()
             && k3.is_finite()
@@ -238,7 +238,7 @@ impl PtcExp3 {
         let c3 = (-k3) + 3.0;
         let hold_from = -eps;
         let size_c1 = if k1.abs() <= 0.0 { 1e-200 } else { c1.abs() };
-        if !((1e-200 <= size_c1)
+        if !((size_c1 >= 1e-200)
             && c1.is_finite()
             && c2.is_finite()
             && c3.is_finite()
@@ -289,7 +289,7 @@ impl PtcExp3 {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -305,7 +305,7 @@ impl PtcExp3 {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -328,7 +328,7 @@ impl PtcExp3 {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcExp3Gains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -376,7 +376,7 @@ impl PtcExp3Gains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

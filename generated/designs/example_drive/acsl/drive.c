@@ -88,7 +88,7 @@ ptc_status drive_step(const drive *self, double t, const double x[3], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double inv_T = (-1.0) / late;
@@ -103,7 +103,7 @@ ptc_status drive_step(const drive *self, double t, const double x[3], double *u)
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (24.0 < v) {
+                    if (v > 24.0) {
                         *u = 24.0;
                         status = PTC_SATURATED;
                     } else if (v < -24.0) {

@@ -83,8 +83,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division.
  */
-#ifndef DRIVE_8F949395_HPP
-#define DRIVE_8F949395_HPP
+#ifndef DRIVE_71711316_HPP
+#define DRIVE_71711316_HPP
 
 #include <array>
 #include <cfloat>
@@ -204,7 +204,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 3>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -217,7 +217,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (24.0 < v) {
+                if (v > 24.0) {
                     return {24.0, Status::Saturated};
                 } else if (v < -24.0) {
                     return {-24.0, Status::Saturated};

@@ -15,7 +15,7 @@ function [u, status] = drive_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-if ~(self.t0 <= t)
+if ~(t >= self.t0)
     status = int32(-2);
     return;
 end
@@ -30,7 +30,7 @@ if isfinite(v) && (abs(v) <= 24.0) && (late < self.hold_from)
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
     if isfinite(v)
-        if 24.0 < v
+        if v > 24.0
             u = 24.0;
             status = int32(2);
         elseif v < -24.0

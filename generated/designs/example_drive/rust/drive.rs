@@ -244,7 +244,7 @@ impl Drive {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -261,7 +261,7 @@ impl Drive {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if 24.0 < v {
+                if v > 24.0 {
                     (24.0, Status::Saturated)
                 } else if v < -24.0 {
                     (-24.0, Status::Saturated)

@@ -44,8 +44,8 @@
  *       the law and a rigid plant, at the deadline |x| <= 1.015e-4, 0.002024.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef ELASTIC_53ED4EBD_HPP
-#define ELASTIC_53ED4EBD_HPP
+#ifndef ELASTIC_0332EDCF_HPP
+#define ELASTIC_0332EDCF_HPP
 
 #include <array>
 #include <cfloat>
@@ -152,11 +152,11 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const double s1 = x1_hat_ + (0.0005 * x2_hat_);
-        const double s2 = s1 + (3.571428571428571e-8 * d_hat_);
-        const double p1 = s2 + (3.571428571428571e-8 * u2_);
-        const double s3 = x2_hat_ + (0.00014285714285714287 * d_hat_);
-        const double p2 = s3 + (0.00014285714285714287 * u2_);
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double s2 = s1 + (phi1_3_ * d_hat_);
+        const double p1 = s2 + (gamma1_ * u2_);
+        const double s3 = x2_hat_ + (phi2_3_ * d_hat_);
+        const double p2 = s3 + (gamma2_ * u2_);
         const double p3 = d_hat_;
 
         // Correct by what is measured.
@@ -169,52 +169,52 @@ public:
             base = p1;
             miss = y[0] - p1;
         }
-        const std::uint32_t left_o = (elapsed < 200U) ? (200U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = (left_o == 0U) ? 25.0 : static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
-        if (9.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((210.0 * r0) - 90.0) * r1) + 15.0) * r2;
-            l2 = (((-420000.0) * r0) + 120000.0) * r1 * r2;
-            l3 = 840000000.0 * r0 * r1 * r2;
+        if (o0 > 9.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+            l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+            l3 = q3_1_ * r0;
         } else if (left_o == 9U) {
             l1 = 1.0;
-            l2 = 1166.6666666666667;
-            l3 = 2333333.3333333335;
+            l2 = e0_2_;
+            l3 = e0_3_;
         } else if (left_o == 8U) {
             l1 = 1.0;
-            l2 = 1875.0;
-            l3 = -1750000.0;
+            l2 = e1_2_;
+            l3 = e1_3_;
         } else {
             l1 = 1.0;
-            l2 = 3000.0;
-            l3 = 14000000.0;
+            l2 = e2_2_;
+            l3 = e2_3_;
         }
         const double x1 = base + (l1 * miss);
         const double x2 = p2 + (l2 * miss);
         const double d = p3 + (l3 * miss);
-        const std::uint32_t left = (elapsed < 1000U) ? (1000U - elapsed) : 0U;
-        const double m0 = (static_cast<double>(left) < 193.0) ? 193.0 : static_cast<double>(left);
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0 = (static_cast<double>(left) < hold_) ? hold_ : static_cast<double>(left);
         double v{};
 
         // The exact law in samples.
-        const double z1 = ((-1260000000.0) * x1) + (315000.0 * x2);
-        const double z2 = (-336000.0) * x2;
-        const double z3 = (-10.5) * (u1_ + d);
-        const double s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+        const double z2 = w2_2_ * x2;
+        const double z3 = w3_3_ * (u1_ + d);
+        const double m0f2 = m0 * (m0 - 1.0);
+        const double s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
         v = (s4 + (u1_ + d)) - d;
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (100.0 < v) {
-            u_now = 100.0;
-        } else if (v < -100.0) {
-            u_now = -100.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -224,9 +224,9 @@ public:
         x2_hat_ = x2;
         d_hat_ = d;
         seen_ = 1U;
-        if ((100.0 < v) || (v < -100.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) <= 193.0) {
+        } else if (static_cast<double>(left) <= hold_) {
             return {u_now, Status::Hold};
         } else {
             return {u_now, Status::Ok};
@@ -256,6 +256,56 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// 1/2000, prediction of x1 from x2.
+    static constexpr double phi1_2_{0.0005};
+    /// 1/28000000, prediction of x1 from d.
+    static constexpr double phi1_3_{3.571428571428571e-8};
+    /// 1/28000000, prediction from u.
+    static constexpr double gamma1_{3.571428571428571e-8};
+    /// 1/7000, prediction of x2 from d.
+    static constexpr double phi2_3_{0.00014285714285714287};
+    /// 1/7000, prediction from u.
+    static constexpr double gamma2_{0.00014285714285714287};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{200U};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{210.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-90.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{15.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{-420000.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{120000.0};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{840000000.0};
+    /// 3500/3, gain of the observer at its end.
+    static constexpr double e0_2_{1166.6666666666667};
+    /// 7000000/3, gain of the observer at its end.
+    static constexpr double e0_3_{2333333.3333333335};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_{1875.0};
+    /// Gain of the observer at its end.
+    static constexpr double e1_3_{-1750000.0};
+    /// Gain of the observer at its end.
+    static constexpr double e2_2_{3000.0};
+    /// Gain of the observer at its end.
+    static constexpr double e2_3_{14000000.0};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{1000U};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{193.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-1260000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{315000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-336000.0};
+    /// -21/2, weight of u1 in the law.
+    static constexpr double w3_3_{-10.5};
+    /// Bound of |u|.
+    static constexpr double u_max_{100.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     double u1_{}; // input of the last sample

@@ -14,6 +14,31 @@ function [u, status, self] = elastic_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+phi1_2 = 0.0005; % 1/2000, prediction of x1 from x2
+phi1_3 = 3.571428571428571e-8; % 1/28000000, prediction of x1 from d
+gamma1 = 3.571428571428571e-8; % 1/28000000, prediction from u
+phi2_3 = 0.00014285714285714287; % 1/7000, prediction of x2 from d
+gamma2 = 0.00014285714285714287; % 1/7000, prediction from u
+observer_samples = uint32(200); % samples of the round of the observer
+q1_1 = 210.0; % weight in the observer's gain l1
+q1_2 = -90.0; % weight in the observer's gain l1
+q1_3 = 15.0; % weight in the observer's gain l1
+q2_1 = -420000.0; % weight in the observer's gain l2
+q2_2 = 120000.0; % weight in the observer's gain l2
+q3_1 = 840000000.0; % weight in the observer's gain l3
+e0_2 = 1166.6666666666667; % 3500/3, gain of the observer at its end
+e0_3 = 2333333.3333333335; % 7000000/3, gain of the observer at its end
+e1_2 = 1875.0; % gain of the observer at its end
+e1_3 = -1750000.0; % gain of the observer at its end
+e2_2 = 3000.0; % gain of the observer at its end
+e2_3 = 14000000.0; % gain of the observer at its end
+samples = uint32(1000); % samples from the start to rest
+hold = 193.0; % samples to go at which the gains are held
+w1_1 = -1260000000.0; % weight of x1 in the law
+w1_2 = 315000.0; % weight of x2 in the law
+w2_2 = -336000.0; % weight of x2 in the law
+w3_3 = -10.5; % -21/2, weight of u1 in the law
+u_max = 100.0; % bound of |u|
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -29,11 +54,11 @@ end
 elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 
 % Predict.
-s1 = self.x1_hat + (0.0005 * self.x2_hat);
-s2 = s1 + (3.571428571428571e-8 * self.d_hat);
-p1 = s2 + (3.571428571428571e-8 * self.u2);
-s3 = self.x2_hat + (0.00014285714285714287 * self.d_hat);
-p2 = s3 + (0.00014285714285714287 * self.u2);
+s1 = self.x1_hat + (phi1_2 * self.x2_hat);
+s2 = s1 + (phi1_3 * self.d_hat);
+p1 = s2 + (gamma1 * self.u2);
+s3 = self.x2_hat + (phi2_3 * self.d_hat);
+p2 = s3 + (gamma2 * self.u2);
 p3 = self.d_hat;
 
 % Correct by what is measured.
@@ -44,48 +69,48 @@ else
     base = p1;
     miss = y(1) - p1;
 end
-left_o = uint32(200) - elapsed;
+left_o = observer_samples - elapsed;
 o0 = pick(left_o == uint32(0), 25.0, double(left_o));
-if 9.0 < o0
-    r0 = 1.0 / o0;
-    r1 = 1.0 / (o0 - 1.0);
-    r2 = 1.0 / (o0 - 2.0);
-    l1 = ((((210.0 * r0) - 90.0) * r1) + 15.0) * r2;
-    l2 = (((-420000.0) * r0) + 120000.0) * r1 * r2;
-    l3 = 840000000.0 * r0 * r1 * r2;
+if o0 > 9.0
+    o0f2 = o0 * (o0 - 1.0);
+    r0 = 1.0 / (o0f2 * (o0 - 2.0));
+    l1 = (q1_1 + (q1_2 * o0) + (q1_3 * o0f2)) * r0;
+    l2 = (q2_1 + (q2_2 * o0)) * r0;
+    l3 = q3_1 * r0;
 elseif left_o == uint32(9)
     l1 = 1.0;
-    l2 = 1166.6666666666667;
-    l3 = 2333333.3333333335;
+    l2 = e0_2;
+    l3 = e0_3;
 elseif left_o == uint32(8)
     l1 = 1.0;
-    l2 = 1875.0;
-    l3 = -1750000.0;
+    l2 = e1_2;
+    l3 = e1_3;
 else
     l1 = 1.0;
-    l2 = 3000.0;
-    l3 = 14000000.0;
+    l2 = e2_2;
+    l3 = e2_3;
 end
 x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);
-left = uint32(1000) - elapsed;
-m0 = pick(double(left) < 193.0, 193.0, double(left));
+left = samples - elapsed;
+m0 = pick(double(left) < hold, hold, double(left));
 
 % The exact law in samples.
-z1 = ((-1260000000.0) * x1) + (315000.0 * x2);
-z2 = (-336000.0) * x2;
-z3 = (-10.5) * (self.u1 + d);
-s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+z1 = (w1_1 * x1) + (w1_2 * x2);
+z2 = w2_2 * x2;
+z3 = w3_3 * (self.u1 + d);
+m0f2 = m0 * (m0 - 1.0);
+s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
 v = (s4 + (self.u1 + d)) - d;
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if 100.0 < v
-    u_now = 100.0;
-elseif v < -100.0
-    u_now = -100.0;
+if v > u_max
+    u_now = u_max;
+elseif v < -u_max
+    u_now = -u_max;
 else
     u_now = v;
 end
@@ -95,10 +120,10 @@ self.x1_hat = x1;
 self.x2_hat = x2;
 self.d_hat = d;
 self.seen = uint32(1);
-if (100.0 < v) || (v < -100.0)
+if (v > u_max) || (v < -u_max)
     u = u_now;
     status = int32(2);
-elseif double(left) <= 193.0
+elseif double(left) <= hold
     u = u_now;
     status = int32(1);
 else

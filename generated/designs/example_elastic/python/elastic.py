@@ -103,6 +103,57 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/2000, prediction of x1 from x2.
+_PHI1_2 = _R(0.0005)
+# 1/28000000, prediction of x1 from d.
+_PHI1_3 = _R(3.571428571428571e-8)
+# 1/28000000, prediction from u.
+_GAMMA1 = _R(3.571428571428571e-8)
+# 1/7000, prediction of x2 from d.
+_PHI2_3 = _R(0.00014285714285714287)
+# 1/7000, prediction from u.
+_GAMMA2 = _R(0.00014285714285714287)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 200
+# Weight in the observer's gain l1.
+_Q1_1 = _R(210.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-90.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(15.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-420000.0)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(120000.0)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(840000000.0)
+# 3500/3, gain of the observer at its end.
+_E0_2 = _R(1166.6666666666667)
+# 7000000/3, gain of the observer at its end.
+_E0_3 = _R(2333333.3333333335)
+# Gain of the observer at its end.
+_E1_2 = _R(1875.0)
+# Gain of the observer at its end.
+_E1_3 = _R(-1750000.0)
+# Gain of the observer at its end.
+_E2_2 = _R(3000.0)
+# Gain of the observer at its end.
+_E2_3 = _R(14000000.0)
+# Samples from the start to rest.
+_SAMPLES = 1000
+# Samples to go at which the gains are held.
+_HOLD = _R(193.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-1260000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(315000.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-336000.0)
+# -21/2, weight of u1 in the law.
+_W3_3 = _R(-10.5)
+# Bound of |u|.
+_U_MAX = _R(100.0)
+
 class Elastic:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -148,11 +199,11 @@ class Elastic:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (0.0005 * self._x2_hat)
-            s2 = s1 + (3.571428571428571e-8 * self._d_hat)
-            p1 = s2 + (3.571428571428571e-8 * self._u2)
-            s3 = self._x2_hat + (0.00014285714285714287 * self._d_hat)
-            p2 = s3 + (0.00014285714285714287 * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
 
             # Correct by what is measured.
@@ -162,45 +213,45 @@ class Elastic:
             else:
                 base = p1
                 miss = y[0] - p1
-            left_o = max(200 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(25.0) if left_o == 0 else _R(left_o)
-            if 9.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                l1 = ((((210.0 * r0) - 90.0) * r1) + 15.0) * r2
-                l2 = (((-420000.0) * r0) + 120000.0) * r1 * r2
-                l3 = 840000000.0 * r0 * r1 * r2
+            if o0 > 9.0:
+                o0f2 = o0 * (o0 - 1.0)
+                r0 = 1.0 / (o0f2 * (o0 - 2.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l2 = (_Q2_1 + (_Q2_2 * o0)) * r0
+                l3 = _Q3_1 * r0
             elif left_o == 9:
                 l1 = _R(1.0)
-                l2 = _R(1166.6666666666667)
-                l3 = _R(2333333.3333333335)
+                l2 = _E0_2
+                l3 = _E0_3
             elif left_o == 8:
                 l1 = _R(1.0)
-                l2 = _R(1875.0)
-                l3 = _R(-1750000.0)
+                l2 = _E1_2
+                l3 = _E1_3
             else:
                 l1 = _R(1.0)
-                l2 = _R(3000.0)
-                l3 = _R(14000000.0)
+                l2 = _E2_2
+                l3 = _E2_3
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             d = p3 + (l3 * miss)
-            left = max(1000 - elapsed, 0)
-            m0 = max(_R(left), _R(193.0))
+            left = max(_SAMPLES - elapsed, 0)
+            m0 = max(_R(left), _HOLD)
 
             # The exact law in samples.
-            z1 = ((-1260000000.0) * x1) + (315000.0 * x2)
-            z2 = (-336000.0) * x2
-            z3 = (-10.5) * (self._u1 + d)
-            s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)
+            z1 = (_W1_1 * x1) + (_W1_2 * x2)
+            z2 = _W2_2 * x2
+            z3 = _W3_3 * (self._u1 + d)
+            m0f2 = m0 * (m0 - 1.0)
+            s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))
             v = (s4 + (self._u1 + d)) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if 100.0 < v:
-                u_now = _R(100.0)
-            elif v < -100.0:
-                u_now = _R(-100.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -209,9 +260,9 @@ class Elastic:
             self._x2_hat = x2
             self._d_hat = d
             self._seen = 1
-            if (100.0 < v) or (v < -100.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) <= 193.0:
+            elif _R(left) <= _HOLD:
                 return Control(u_now, Status.HOLD)
             else:
                 return Control(u_now, Status.OK)

@@ -152,6 +152,57 @@ pub struct Elastic {
     clippy::nursery
 )]
 impl Elastic {
+    /// 1/2000, prediction of x1 from x2.
+    const PHI1_2: f64 = 0.0005;
+    /// 1/28000000, prediction of x1 from d.
+    const PHI1_3: f64 = 3.571428571428571e-8;
+    /// 1/28000000, prediction from u.
+    const GAMMA1: f64 = 3.571428571428571e-8;
+    /// 1/7000, prediction of x2 from d.
+    const PHI2_3: f64 = 0.00014285714285714287;
+    /// 1/7000, prediction from u.
+    const GAMMA2: f64 = 0.00014285714285714287;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 200;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 210.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -90.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 15.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = -420000.0;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = 120000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = 840000000.0;
+    /// 3500/3, gain of the observer at its end.
+    const E0_2: f64 = 1166.6666666666667;
+    /// 7000000/3, gain of the observer at its end.
+    const E0_3: f64 = 2333333.3333333335;
+    /// Gain of the observer at its end.
+    const E1_2: f64 = 1875.0;
+    /// Gain of the observer at its end.
+    const E1_3: f64 = -1750000.0;
+    /// Gain of the observer at its end.
+    const E2_2: f64 = 3000.0;
+    /// Gain of the observer at its end.
+    const E2_3: f64 = 14000000.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 1000;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 193.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -1260000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 315000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -336000.0;
+    /// -21/2, weight of u1 in the law.
+    const W3_3: f64 = -10.5;
+    /// Bound of |u|.
+    const U_MAX: f64 = 100.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -195,11 +246,11 @@ impl Elastic {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.0005 * self.x2_hat);
-        let s2 = s1 + (3.571428571428571e-8 * self.d_hat);
-        let p1 = s2 + (3.571428571428571e-8 * self.u2);
-        let s3 = self.x2_hat + (0.00014285714285714287 * self.d_hat);
-        let p2 = s3 + (0.00014285714285714287 * self.u2);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.d_hat);
+        let p1 = s2 + (Self::GAMMA1 * self.u2);
+        let s3 = self.x2_hat + (Self::PHI2_3 * self.d_hat);
+        let p2 = s3 + (Self::GAMMA2 * self.u2);
         let p3 = self.d_hat;
 
         // Correct by what is measured.
@@ -212,56 +263,56 @@ impl Elastic {
             base = p1;
             miss = y[0] - p1;
         }
-        let left_o = 200_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = if left_o == 0 { 25.0 } else { left_o as f64 };
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        if 9.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((210.0 * r0) - 90.0) * r1) + 15.0) * r2;
-            l2 = (((-420000.0) * r0) + 120000.0) * r1 * r2;
-            l3 = 840000000.0 * r0 * r1 * r2;
+        if o0 > 9.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+            l2 = (Self::Q2_1 + (Self::Q2_2 * o0)) * r0;
+            l3 = Self::Q3_1 * r0;
         } else if left_o == 9 {
             l1 = 1.0;
-            l2 = 1166.6666666666667;
-            l3 = 2333333.3333333335;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
         } else if left_o == 8 {
             l1 = 1.0;
-            l2 = 1875.0;
-            l3 = -1750000.0;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
         } else {
             l1 = 1.0;
-            l2 = 3000.0;
-            l3 = 14000000.0;
+            l2 = Self::E2_2;
+            l3 = Self::E2_3;
         }
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
         let d = p3 + (l3 * miss);
-        let left = 1000_u32.saturating_sub(elapsed);
-        let m0 = if (left as f64) < 193.0 {
-            193.0
+        let left = Self::SAMPLES.saturating_sub(elapsed);
+        let m0 = if (left as f64) < Self::HOLD {
+            Self::HOLD
         } else {
             left as f64
         };
         let v: f64;
 
         // The exact law in samples.
-        let z1 = ((-1260000000.0) * x1) + (315000.0 * x2);
-        let z2 = (-336000.0) * x2;
-        let z3 = (-10.5) * (self.u1 + d);
-        let s4 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2);
+        let z2 = Self::W2_2 * x2;
+        let z3 = Self::W3_3 * (self.u1 + d);
+        let m0f2 = m0 * (m0 - 1.0);
+        let s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
         v = (s4 + (self.u1 + d)) - d;
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 100.0 < v {
-            u_now = 100.0;
-        } else if v < -100.0 {
-            u_now = -100.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -271,9 +322,9 @@ impl Elastic {
         self.x2_hat = x2;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (100.0 < v) || (v < -100.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if (left as f64) <= 193.0 {
+        } else if (left as f64) <= Self::HOLD {
             Status::Hold
         } else {
             Status::Ok

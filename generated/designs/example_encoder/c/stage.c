@@ -33,6 +33,32 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE_PHI1_2 0.001 /* 1/1000, prediction of x1 from x2 */
+#define STAGE_PHI1_3 3.3333333333333335e-7 /* 1/3000000, prediction of x1 from d */
+#define STAGE_GAMMA1 3.3333333333333335e-7 /* 1/3000000, prediction from u */
+#define STAGE_PHI2_3 0.0006666666666666666 /* 1/1500, prediction of x2 from d */
+#define STAGE_GAMMA2 0.0006666666666666666 /* 1/1500, prediction from u */
+#define STAGE_OBSERVER_SAMPLES 200U /* samples of the round of the observer */
+#define STAGE_HOLD_O 30.0 /* samples to go at which the observer is held */
+#define STAGE_Q1_1 120.0 /* weight in the observer's gain l1 */
+#define STAGE_Q1_2 (-60.0) /* weight in the observer's gain l1 */
+#define STAGE_Q1_3 12.0 /* weight in the observer's gain l1 */
+#define STAGE_Q2_1 (-108000.0) /* weight in the observer's gain l2 */
+#define STAGE_Q2_2 36000.0 /* weight in the observer's gain l2 */
+#define STAGE_Q3_1 36000000.0 /* weight in the observer's gain l3 */
+#define STAGE_SAMPLES 800U /* samples from the start to rest */
+#define STAGE_HOLD 20.0 /* samples to go at which the gains are held */
+#define STAGE_END_SAMPLES 250.0 /* samples to go at which the law of the end takes over */
+#define STAGE_W1_1 (-9000000.0) /* weight of x1 in the law */
+#define STAGE_W1_2 (-4500.0) /* weight of x2 in the law */
+#define STAGE_W2_2 (-6000.0) /* weight of x2 in the law */
+#define STAGE_W2_3 (-4.0) /* weight of u1 in the law */
+#define STAGE_END1_1 (-18000000.0) /* weight of x1 in the law */
+#define STAGE_END1_2 (-9000.0) /* weight of x2 in the law */
+#define STAGE_END2_2 (-9000.0) /* weight of x2 in the law */
+#define STAGE_END2_3 (-6.0) /* weight of u1 in the law */
+#define STAGE_U_MAX 6.0 /* bound of |u| */
 ptc_status stage_init(stage *self, const stage_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -81,11 +107,11 @@ ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
-            const double s1 = self->x1_hat + (0.001 * self->x2_hat);
-            const double s2 = s1 + (3.3333333333333335e-7 * self->d_hat);
-            const double p1 = s2 + (3.3333333333333335e-7 * self->u2);
-            const double s3 = self->x2_hat + (0.0006666666666666666 * self->d_hat);
-            const double p2 = s3 + (0.0006666666666666666 * self->u2);
+            const double s1 = self->x1_hat + (STAGE_PHI1_2 * self->x2_hat);
+            const double s2 = s1 + (STAGE_PHI1_3 * self->d_hat);
+            const double p1 = s2 + (STAGE_GAMMA1 * self->u2);
+            const double s3 = self->x2_hat + (STAGE_PHI2_3 * self->d_hat);
+            const double p2 = s3 + (STAGE_GAMMA2 * self->u2);
             const double p3 = self->d_hat;
 
             /* Correct by what is measured. */
@@ -98,43 +124,44 @@ ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
                 base = p1;
                 miss = y[0] - p1;
             }
-            const uint32_t left_o = (elapsed < 200U) ? (200U - elapsed) : 0U;
-            const double o0 = ((double)left_o < 30.0) ? 30.0 : (double)left_o;
+            const uint32_t left_o = (elapsed < STAGE_OBSERVER_SAMPLES) ? (STAGE_OBSERVER_SAMPLES - elapsed) : 0U;
+            const double o0 = ((double)left_o < STAGE_HOLD_O) ? STAGE_HOLD_O : (double)left_o;
             double l1;
             double l2;
             double l3;
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-            l3 = 36000000.0 * r0 * r1 * r2;
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (STAGE_Q1_1 + (STAGE_Q1_2 * o0) + (STAGE_Q1_3 * o0f2)) * r0;
+            l2 = (STAGE_Q2_1 + (STAGE_Q2_2 * o0)) * r0;
+            l3 = STAGE_Q3_1 * r0;
             const double x1 = base + (l1 * miss);
             const double x2 = p2 + (l2 * miss);
             const double d = p3 + (l3 * miss);
-            const uint32_t left = (elapsed < 800U) ? (800U - elapsed) : 0U;
+            const uint32_t left = (elapsed < STAGE_SAMPLES) ? (STAGE_SAMPLES - elapsed) : 0U;
             const double s4 = ((double)left) - 1.0;
-            const double m0 = (s4 < 20.0) ? 20.0 : s4;
+            const double m0 = (s4 < STAGE_HOLD) ? STAGE_HOLD : s4;
             double v;
-            if (250.0 < m0) {
+            if (m0 > STAGE_END_SAMPLES) {
                 /* The exact law in samples. */
-                const double z1 = ((-9000000.0) * x1) - (4500.0 * x2);
-                const double z2 = ((-6000.0) * x2) - (4.0 * (self->u1 + d));
-                v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+                const double z1 = (STAGE_W1_1 * x1) + (STAGE_W1_2 * x2);
+                const double z2 = (STAGE_W2_2 * x2) + (STAGE_W2_3 * (self->u1 + d));
+                const double m0f1 = m0 + 1.0;
+                v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d;
             } else {
                 /* The law of least energy to the end. */
                 const double m1 = (m0 < 2.0) ? 2.0 : m0;
-                const double y1 = ((-18000000.0) * x1) - (9000.0 * x2);
-                const double y2 = ((-9000.0) * x2) - (6.0 * (self->u1 + d));
-                v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+                const double y1 = (STAGE_END1_1 * x1) + (STAGE_END1_2 * x2);
+                const double y2 = (STAGE_END2_2 * x2) + (STAGE_END2_3 * (self->u1 + d));
+                const double m1f1 = m1 + 2.0;
+                v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d;
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
-                if (6.0 < v) {
-                    u_now = 6.0;
-                } else if (v < -6.0) {
-                    u_now = -6.0;
+                if (v > STAGE_U_MAX) {
+                    u_now = STAGE_U_MAX;
+                } else if (v < -STAGE_U_MAX) {
+                    u_now = -STAGE_U_MAX;
                 } else {
                     u_now = v;
                 }
@@ -145,9 +172,9 @@ ptc_status stage_step(stage *self, uint32_t k, const double y[1], double *u)
                 self->d_hat = d;
                 self->seen = 1U;
                 *u = u_now;
-                if ((6.0 < v) || (v < -6.0)) {
+                if ((v > STAGE_U_MAX) || (v < -STAGE_U_MAX)) {
                     status = PTC_SATURATED;
-                } else if (((double)left) - 1.0 <= 20.0) {
+                } else if (((double)left) - 1.0 <= STAGE_HOLD) {
                     status = PTC_HOLD;
                 } else {
                     status = PTC_OK;

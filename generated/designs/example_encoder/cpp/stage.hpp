@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE_1A54E559_HPP
-#define STAGE_1A54E559_HPP
+#ifndef STAGE_7B55B163_HPP
+#define STAGE_7B55B163_HPP
 
 #include <array>
 #include <cfloat>
@@ -152,11 +152,11 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const double s1 = x1_hat_ + (0.001 * x2_hat_);
-        const double s2 = s1 + (3.3333333333333335e-7 * d_hat_);
-        const double p1 = s2 + (3.3333333333333335e-7 * u2_);
-        const double s3 = x2_hat_ + (0.0006666666666666666 * d_hat_);
-        const double p2 = s3 + (0.0006666666666666666 * u2_);
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double s2 = s1 + (phi1_3_ * d_hat_);
+        const double p1 = s2 + (gamma1_ * u2_);
+        const double s3 = x2_hat_ + (phi2_3_ * d_hat_);
+        const double p2 = s3 + (gamma2_ * u2_);
         const double p3 = d_hat_;
 
         // Correct by what is measured.
@@ -169,44 +169,45 @@ public:
             base = p1;
             miss = y[0] - p1;
         }
-        const std::uint32_t left_o = (elapsed < 200U) ? (200U - elapsed) : 0U;
-        const double o0 = (static_cast<double>(left_o) < 30.0) ? 30.0 : static_cast<double>(left_o);
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
+        const double o0 = (static_cast<double>(left_o) < hold_o_) ? hold_o_ : static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
-        const double r0 = 1.0 / o0;
-        const double r1 = 1.0 / (o0 - 1.0);
-        const double r2 = 1.0 / (o0 - 2.0);
-        l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-        l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-        l3 = 36000000.0 * r0 * r1 * r2;
+        const double o0f2 = o0 * (o0 - 1.0);
+        const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+        l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+        l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+        l3 = q3_1_ * r0;
         const double x1 = base + (l1 * miss);
         const double x2 = p2 + (l2 * miss);
         const double d = p3 + (l3 * miss);
-        const std::uint32_t left = (elapsed < 800U) ? (800U - elapsed) : 0U;
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double s4 = static_cast<double>(left) - 1.0;
-        const double m0 = (s4 < 20.0) ? 20.0 : s4;
+        const double m0 = (s4 < hold_) ? hold_ : s4;
         double v{};
-        if (250.0 < m0) {
+        if (m0 > end_samples_) {
             // The exact law in samples.
-            const double z1 = ((-9000000.0) * x1) - (4500.0 * x2);
-            const double z2 = ((-6000.0) * x2) - (4.0 * (u1_ + d));
-            v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+            const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+            const double z2 = (w2_2_ * x2) + (w2_3_ * (u1_ + d));
+            const double m0f1 = m0 + 1.0;
+            v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d;
         } else {
             // The law of least energy to the end.
             const double m1 = (m0 < 2.0) ? 2.0 : m0;
-            const double y1 = ((-18000000.0) * x1) - (9000.0 * x2);
-            const double y2 = ((-9000.0) * x2) - (6.0 * (u1_ + d));
-            v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+            const double y1 = (end1_1_ * x1) + (end1_2_ * x2);
+            const double y2 = (end2_2_ * x2) + (end2_3_ * (u1_ + d));
+            const double m1f1 = m1 + 2.0;
+            v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d;
         }
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (6.0 < v) {
-            u_now = 6.0;
-        } else if (v < -6.0) {
-            u_now = -6.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -216,9 +217,9 @@ public:
         x2_hat_ = x2;
         d_hat_ = d;
         seen_ = 1U;
-        if ((6.0 < v) || (v < -6.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) - 1.0 <= 20.0) {
+        } else if (static_cast<double>(left) - 1.0 <= hold_) {
             return {u_now, Status::Hold};
         } else {
             return {u_now, Status::Ok};
@@ -248,6 +249,56 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// 1/1000, prediction of x1 from x2.
+    static constexpr double phi1_2_{0.001};
+    /// 1/3000000, prediction of x1 from d.
+    static constexpr double phi1_3_{3.3333333333333335e-7};
+    /// 1/3000000, prediction from u.
+    static constexpr double gamma1_{3.3333333333333335e-7};
+    /// 1/1500, prediction of x2 from d.
+    static constexpr double phi2_3_{0.0006666666666666666};
+    /// 1/1500, prediction from u.
+    static constexpr double gamma2_{0.0006666666666666666};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{200U};
+    /// Samples to go at which the observer is held.
+    static constexpr double hold_o_{30.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{120.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-60.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{12.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{-108000.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{36000.0};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{36000000.0};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{800U};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{20.0};
+    /// Samples to go at which the law of the end takes over.
+    static constexpr double end_samples_{250.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-9000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{-4500.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-6000.0};
+    /// Weight of u1 in the law.
+    static constexpr double w2_3_{-4.0};
+    /// Weight of x1 in the law.
+    static constexpr double end1_1_{-18000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double end1_2_{-9000.0};
+    /// Weight of x2 in the law.
+    static constexpr double end2_2_{-9000.0};
+    /// Weight of u1 in the law.
+    static constexpr double end2_3_{-6.0};
+    /// Bound of |u|.
+    static constexpr double u_max_{6.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     double u1_{}; // input of the last sample

@@ -103,6 +103,57 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/1000, prediction of x1 from x2.
+_PHI1_2 = _R(0.001)
+# 1/3000000, prediction of x1 from d.
+_PHI1_3 = _R(3.3333333333333335e-7)
+# 1/3000000, prediction from u.
+_GAMMA1 = _R(3.3333333333333335e-7)
+# 1/1500, prediction of x2 from d.
+_PHI2_3 = _R(0.0006666666666666666)
+# 1/1500, prediction from u.
+_GAMMA2 = _R(0.0006666666666666666)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 200
+# Samples to go at which the observer is held.
+_HOLD_O = _R(30.0)
+# Weight in the observer's gain l1.
+_Q1_1 = _R(120.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-60.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-108000.0)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(36000.0)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(36000000.0)
+# Samples from the start to rest.
+_SAMPLES = 800
+# Samples to go at which the gains are held.
+_HOLD = _R(20.0)
+# Samples to go at which the law of the end takes over.
+_END_SAMPLES = _R(250.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-9000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(-4500.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-6000.0)
+# Weight of u1 in the law.
+_W2_3 = _R(-4.0)
+# Weight of x1 in the law.
+_END1_1 = _R(-18000000.0)
+# Weight of x2 in the law.
+_END1_2 = _R(-9000.0)
+# Weight of x2 in the law.
+_END2_2 = _R(-9000.0)
+# Weight of u1 in the law.
+_END2_3 = _R(-6.0)
+# Bound of |u|.
+_U_MAX = _R(6.0)
+
 class Stage:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -148,11 +199,11 @@ class Stage:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (0.001 * self._x2_hat)
-            s2 = s1 + (3.3333333333333335e-7 * self._d_hat)
-            p1 = s2 + (3.3333333333333335e-7 * self._u2)
-            s3 = self._x2_hat + (0.0006666666666666666 * self._d_hat)
-            p2 = s3 + (0.0006666666666666666 * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
 
             # Correct by what is measured.
@@ -162,37 +213,38 @@ class Stage:
             else:
                 base = p1
                 miss = y[0] - p1
-            left_o = max(200 - elapsed, 0)
-            o0 = max(_R(left_o), _R(30.0))
-            r0 = 1.0 / o0
-            r1 = 1.0 / (o0 - 1.0)
-            r2 = 1.0 / (o0 - 2.0)
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
-            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2
-            l3 = 36000000.0 * r0 * r1 * r2
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
+            o0 = max(_R(left_o), _HOLD_O)
+            o0f2 = o0 * (o0 - 1.0)
+            r0 = 1.0 / (o0f2 * (o0 - 2.0))
+            l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+            l2 = (_Q2_1 + (_Q2_2 * o0)) * r0
+            l3 = _Q3_1 * r0
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             d = p3 + (l3 * miss)
-            left = max(800 - elapsed, 0)
+            left = max(_SAMPLES - elapsed, 0)
             s4 = _R(left) - 1.0
-            m0 = max(s4, _R(20.0))
-            if 250.0 < m0:
+            m0 = max(s4, _HOLD)
+            if m0 > _END_SAMPLES:
                 # The exact law in samples.
-                z1 = ((-9000000.0) * x1) - (4500.0 * x2)
-                z2 = ((-6000.0) * x2) - (4.0 * (self._u1 + d))
-                v = (((z1 / (m0 + 1.0)) + z2) / m0) - d
+                z1 = (_W1_1 * x1) + (_W1_2 * x2)
+                z2 = (_W2_2 * x2) + (_W2_3 * (self._u1 + d))
+                m0f1 = m0 + 1.0
+                v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d
             else:
                 # The law of least energy to the end.
                 m1 = max(m0, _R(2.0))
-                y1 = ((-18000000.0) * x1) - (9000.0 * x2)
-                y2 = ((-9000.0) * x2) - (6.0 * (self._u1 + d))
-                v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d
+                y1 = (_END1_1 * x1) + (_END1_2 * x2)
+                y2 = (_END2_2 * x2) + (_END2_3 * (self._u1 + d))
+                m1f1 = m1 + 2.0
+                v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if 6.0 < v:
-                u_now = _R(6.0)
-            elif v < -6.0:
-                u_now = _R(-6.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -201,9 +253,9 @@ class Stage:
             self._x2_hat = x2
             self._d_hat = d
             self._seen = 1
-            if (6.0 < v) or (v < -6.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) - 1.0 <= 20.0:
+            elif _R(left) - 1.0 <= _HOLD:
                 return Control(u_now, Status.HOLD)
             else:
                 return Control(u_now, Status.OK)

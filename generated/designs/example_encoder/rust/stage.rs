@@ -152,6 +152,57 @@ pub struct Stage {
     clippy::nursery
 )]
 impl Stage {
+    /// 1/1000, prediction of x1 from x2.
+    const PHI1_2: f64 = 0.001;
+    /// 1/3000000, prediction of x1 from d.
+    const PHI1_3: f64 = 3.3333333333333335e-7;
+    /// 1/3000000, prediction from u.
+    const GAMMA1: f64 = 3.3333333333333335e-7;
+    /// 1/1500, prediction of x2 from d.
+    const PHI2_3: f64 = 0.0006666666666666666;
+    /// 1/1500, prediction from u.
+    const GAMMA2: f64 = 0.0006666666666666666;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 200;
+    /// Samples to go at which the observer is held.
+    const HOLD_O: f64 = 30.0;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 120.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -60.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 12.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = -108000.0;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = 36000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = 36000000.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 800;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 20.0;
+    /// Samples to go at which the law of the end takes over.
+    const END_SAMPLES: f64 = 250.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -9000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = -4500.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -6000.0;
+    /// Weight of u1 in the law.
+    const W2_3: f64 = -4.0;
+    /// Weight of x1 in the law.
+    const END1_1: f64 = -18000000.0;
+    /// Weight of x2 in the law.
+    const END1_2: f64 = -9000.0;
+    /// Weight of x2 in the law.
+    const END2_2: f64 = -9000.0;
+    /// Weight of u1 in the law.
+    const END2_3: f64 = -6.0;
+    /// Bound of |u|.
+    const U_MAX: f64 = 6.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -195,11 +246,11 @@ impl Stage {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.001 * self.x2_hat);
-        let s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
-        let p1 = s2 + (3.3333333333333335e-7 * self.u2);
-        let s3 = self.x2_hat + (0.0006666666666666666 * self.d_hat);
-        let p2 = s3 + (0.0006666666666666666 * self.u2);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.d_hat);
+        let p1 = s2 + (Self::GAMMA1 * self.u2);
+        let s3 = self.x2_hat + (Self::PHI2_3 * self.d_hat);
+        let p2 = s3 + (Self::GAMMA2 * self.u2);
         let p3 = self.d_hat;
 
         // Correct by what is measured.
@@ -212,48 +263,49 @@ impl Stage {
             base = p1;
             miss = y[0] - p1;
         }
-        let left_o = 200_u32.saturating_sub(elapsed);
-        let o0 = if (left_o as f64) < 30.0 {
-            30.0
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
+        let o0 = if (left_o as f64) < Self::HOLD_O {
+            Self::HOLD_O
         } else {
             left_o as f64
         };
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        let r0 = 1.0 / o0;
-        let r1 = 1.0 / (o0 - 1.0);
-        let r2 = 1.0 / (o0 - 2.0);
-        l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-        l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-        l3 = 36000000.0 * r0 * r1 * r2;
+        let o0f2 = o0 * (o0 - 1.0);
+        let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+        l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+        l2 = (Self::Q2_1 + (Self::Q2_2 * o0)) * r0;
+        l3 = Self::Q3_1 * r0;
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
         let d = p3 + (l3 * miss);
-        let left = 800_u32.saturating_sub(elapsed);
+        let left = Self::SAMPLES.saturating_sub(elapsed);
         let s4 = (left as f64) - 1.0;
-        let m0 = if s4 < 20.0 { 20.0 } else { s4 };
+        let m0 = if s4 < Self::HOLD { Self::HOLD } else { s4 };
         let v: f64;
-        if 250.0 < m0 {
+        if m0 > Self::END_SAMPLES {
             // The exact law in samples.
-            let z1 = ((-9000000.0) * x1) - (4500.0 * x2);
-            let z2 = ((-6000.0) * x2) - (4.0 * (self.u1 + d));
-            v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+            let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2);
+            let z2 = (Self::W2_2 * x2) + (Self::W2_3 * (self.u1 + d));
+            let m0f1 = m0 + 1.0;
+            v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d;
         } else {
             // The law of least energy to the end.
             let m1 = if m0 < 2.0 { 2.0 } else { m0 };
-            let y1 = ((-18000000.0) * x1) - (9000.0 * x2);
-            let y2 = ((-9000.0) * x2) - (6.0 * (self.u1 + d));
-            v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+            let y1 = (Self::END1_1 * x1) + (Self::END1_2 * x2);
+            let y2 = (Self::END2_2 * x2) + (Self::END2_3 * (self.u1 + d));
+            let m1f1 = m1 + 2.0;
+            v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d;
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 6.0 < v {
-            u_now = 6.0;
-        } else if v < -6.0 {
-            u_now = -6.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -263,9 +315,9 @@ impl Stage {
         self.x2_hat = x2;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (6.0 < v) || (v < -6.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if (left as f64) - 1.0 <= 20.0 {
+        } else if (left as f64) - 1.0 <= Self::HOLD {
             Status::Hold
         } else {
             Status::Ok

@@ -76,7 +76,7 @@ ptc_status gantry_tick(const gantry *self, double t, gantry_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.0159) ? past : -0.0159;
             const double inv_T = (-1.0) / late;
@@ -123,7 +123,7 @@ ptc_status gantry_axis(const gantry_gains *gains, uint32_t axis, const double x[
                 status = gains->status;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (gains->u_max[axis] < v) {
+                    if (v > gains->u_max[axis]) {
                         *u = gains->u_max[axis];
                         status = PTC_SATURATED;
                     } else {
@@ -153,7 +153,7 @@ ptc_status gantry_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (u != NULL) && (axes != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.0159) ? past : -0.0159;
             const double inv_T = (-1.0) / late;

@@ -67,8 +67,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 12
  *       multiplications, 4 divisions.
  */
-#ifndef GANTRY_BAFA71D9_HPP
-#define GANTRY_BAFA71D9_HPP
+#ifndef GANTRY_225E2D15_HPP
+#define GANTRY_225E2D15_HPP
 
 #include <array>
 #include <cfloat>
@@ -169,7 +169,7 @@ struct [[nodiscard]] GantryGains {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
             if (finite(v)) {
-                if (u_max[axis] < v) {
+                if (v > u_max[axis]) {
                     return {u_max[axis], Status::Saturated};
                 } else {
                     return {-u_max[axis], Status::Saturated};
@@ -239,7 +239,7 @@ public:
     /// The gains at time t [s] for all axes, from which step computes u of each.
     constexpr Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;
@@ -273,7 +273,7 @@ public:
     constexpr Axes<double, 3> step(double t, const std::array<std::array<double, 2>, 3>& x) const noexcept
     {
         Axes<double, 3> all{};
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {{}, {{Status::Input, Status::Input, Status::Input}}, Status::Input};
         }
         const double past = (t - deadline_) - correction_;

@@ -37,7 +37,7 @@ if isfinite(v) && (abs(v) <= gains.u_max(axis + 1))
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2))
     if isfinite(v)
-        if gains.u_max(axis + 1) < v
+        if v > gains.u_max(axis + 1)
             u = gains.u_max(axis + 1);
             status = int32(2);
         else

@@ -17,7 +17,7 @@ u = zeros(3, 1, 'double');
 axes = repmat(int32(-2), 3, 1);
 t = double(t);
 x = double(x);
-if ~(isfinite(t) && (self.t0 <= t))
+if ~(isfinite(t) && (t >= self.t0))
     status = int32(-2);
     return;
 end

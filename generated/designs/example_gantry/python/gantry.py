@@ -172,7 +172,7 @@ class Gains:
             way1 = np.isfinite(v) & (np.abs(v) <= self.u_max[..., axis])
             way2 = np.isfinite(x1) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = self.u_max[..., axis] < v
+            way4 = v > self.u_max[..., axis]
             status = np.where(axis < 3, np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT)), Status.INPUT)
             status = np.where(self.status < 0, self.status, status)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self.u_max[..., axis], -self.u_max[..., axis]))), status.astype(np.int8))
@@ -222,7 +222,7 @@ class Gantry:
             v1 = (-20.0) * inv_T * inv_T
             v2 = (-8.0) * inv_T
             way1 = late < -0.0159
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
             gain = np.stack(np.broadcast_arrays(v1, v2, v1, v2, (-42.0) * inv_T * inv_T, (-12.0) * inv_T), axis=-1)
             input_gain = np.stack(np.broadcast_arrays(0.008333333333333333, 0.022222222222222223, 0.08333333333333333), axis=-1)
             u_max = np.stack(np.broadcast_arrays(900.0, 400.0, 150.0), axis=-1)
@@ -301,7 +301,7 @@ class Gantry:
                 holds1 = np.asarray(status < Status.OK)
                 for axis in range(3):
                     u[axis] = np.where(holds1 & holds, np.asarray(_R(0.0)), u[axis])
-            legal = np.isfinite(t) & (self._t0 <= t)
+            legal = np.isfinite(t) & (t >= self._t0)
             axes = [np.where(legal, each, Status.INPUT) for each in axes]
             status = np.where(legal, status, Status.INPUT)
             every = np.broadcast_arrays(*u, *axes, status)

@@ -234,7 +234,7 @@ impl Gantry {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<GantryGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -271,7 +271,7 @@ impl Gantry {
         let mut u = [0.0; 3];
         let mut axes = [Ok(Status::Ok); 3];
         let mut status;
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return failed(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -379,7 +379,7 @@ impl GantryGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max[axis as usize] < v {
+                if v > self.u_max[axis as usize] {
                     (self.u_max[axis as usize], Status::Saturated)
                 } else {
                     (-self.u_max[axis as usize], Status::Saturated)

@@ -49,14 +49,14 @@ ptc_status levitation_init(levitation *self, const levitation_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (0.0 < u_max)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(p_L)
             && PTC_FINITE_F64(p_R)
             && (0.1 <= p_i0)
             && (p_i0 <= 5.0)
             && (0.005 <= p_z0)
             && (p_z0 <= 0.02)
-            && (0.001 < tau)) {
+            && (tau > 0.001)) {
             const double f42 = p_L * (p_i0 * p_i0);
             const double f53 = -p_L;
             const double size_f42 = (fabs(p_L) <= 0.0) ? 1e-200 : fabs(f42);
@@ -65,9 +65,9 @@ ptc_status levitation_init(levitation *self, const levitation_params *params)
             const double f49 = (-19.62) * (p_z0 * p_z0);
             const double f56 = p_R * p_z0;
             const double f61 = f53 * p_i0;
-            if ((1e-200 <= size_f42)
-                && (1e-200 <= size_f53)
-                && (1e-200 <= size_p_R)
+            if ((size_f42 >= 1e-200)
+                && (size_f53 >= 1e-200)
+                && (size_p_R >= 1e-200)
                 && PTC_FINITE_F64(f42)
                 && PTC_FINITE_F64(f49)
                 && PTC_FINITE_F64(f53)
@@ -124,7 +124,7 @@ ptc_status levitation_step(const levitation *self, double t, const double x[3], 
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.001) ? past : -0.001;
             const double inv_T = (-1.0) / late;
@@ -146,7 +146,7 @@ ptc_status levitation_step(const levitation *self, double t, const double x[3], 
                 && PTC_FINITE_F64(x[1])
                 && PTC_FINITE_F64(x[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {

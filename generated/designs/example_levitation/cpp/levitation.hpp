@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 15
  *       multiplications, 6 divisions.
  */
-#ifndef LEVITATION_A2319D3B_HPP
-#define LEVITATION_A2319D3B_HPP
+#ifndef LEVITATION_D7784A2A_HPP
+#define LEVITATION_D7784A2A_HPP
 
 #ifdef L
 #error "a macro L takes the place of the parameter L: include this header before the one that defines it, or rename the parameter"
@@ -185,14 +185,14 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (0.0 < u_max)
+                && (u_max > 0.0)
                 && finite(p_L)
                 && finite(p_R)
                 && (0.1 <= p_i0)
                 && (p_i0 <= 5.0)
                 && (0.005 <= p_z0)
                 && (p_z0 <= 0.02)
-                && (0.001 < tau))) {
+                && (tau > 0.001))) {
             return Status::Param;
         }
         const double f42 = p_L * (p_i0 * p_i0);
@@ -203,9 +203,9 @@ public:
         const double f49 = (-19.62) * (p_z0 * p_z0);
         const double f56 = p_R * p_z0;
         const double f61 = f53 * p_i0;
-        if (!((1e-200 <= size_f42)
-                && (1e-200 <= size_f53)
-                && (1e-200 <= size_p_R)
+        if (!((size_f42 >= 1e-200)
+                && (size_f53 >= 1e-200)
+                && (size_p_R >= 1e-200)
                 && finite(f42)
                 && finite(f49)
                 && finite(f53)
@@ -256,7 +256,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 3>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -276,7 +276,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};

@@ -119,7 +119,7 @@ end
 if ~isfinite(t0)
     error('levitation:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(0.0 < u_max)
+if ~(u_max > 0.0)
     error('levitation:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(p_L)
@@ -134,7 +134,7 @@ end
 if ~((0.005 <= p_z0) && (p_z0 <= 0.02))
     error('levitation:param', 'params.z0 is %g; legal: from 0.005 to 0.02', params.z0);
 end
-if ~(0.001 < tau)
+if ~(tau > 0.001)
     error('levitation:param', 'params.tau is %g; legal: > 0.001', params.tau);
 end
 f42 = p_L * (p_i0 * p_i0);
@@ -145,9 +145,9 @@ size_p_R = pick(abs(p_R) <= 0.0, 1e-200, abs(p_R));
 f49 = (-19.62) * (p_z0 * p_z0);
 f56 = p_R * p_z0;
 f61 = f53 * p_i0;
-if ~((1e-200 <= size_f42) ...
-    && (1e-200 <= size_f53) ...
-    && (1e-200 <= size_p_R) ...
+if ~((size_f42 >= 1e-200) ...
+    && (size_f53 >= 1e-200) ...
+    && (size_p_R >= 1e-200) ...
     && isfinite(f42) ...
     && isfinite(f49) ...
     && isfinite(f53) ...

@@ -183,7 +183,7 @@ class Levitation:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(p_L):
                 raise ValueError(f"params.L is {params.L}; legal: finite")
@@ -193,7 +193,7 @@ class Levitation:
                 raise ValueError(f"params.i0 is {params.i0}; legal: from 0.1 to 5")
             if not (0.005 <= p_z0 <= 0.02):
                 raise ValueError(f"params.z0 is {params.z0}; legal: from 0.005 to 0.02")
-            if not (0.001 < tau):
+            if not (tau > 0.001):
                 raise ValueError(f"params.tau is {params.tau}; legal: > 0.001")
             f42 = p_L * (p_i0 * p_i0)
             f53 = -p_L
@@ -204,9 +204,9 @@ class Levitation:
             f56 = p_R * p_z0
             f61 = f53 * p_i0
             if not (
-                (1e-200 <= size_f42)
-                and (1e-200 <= size_f53)
-                and (1e-200 <= size_p_R)
+                (size_f42 >= 1e-200)
+                and (size_f53 >= 1e-200)
+                and (size_p_R >= 1e-200)
                 and np.isfinite(f42)
                 and np.isfinite(f49)
                 and np.isfinite(f53)
@@ -272,7 +272,7 @@ class Levitation:
             way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < -0.001)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = np.isfinite(v)
-            way4 = self._u_max < v
+            way4 = v > self._u_max
             way5 = v < -self._u_max
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(t >= self._t0, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self._u_max, np.where(way5, -self._u_max, v)))), status.astype(np.int8))

@@ -235,14 +235,14 @@ impl Levitation {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (0.0 < u_max)
+            && (u_max > 0.0)
             && p_L.is_finite()
             && p_R.is_finite()
             && (0.1 <= p_i0)
             && (p_i0 <= 5.0)
             && (0.005 <= p_z0)
             && (p_z0 <= 0.02)
-            && (0.001 < tau))
+            && (tau > 0.001))
         {
             return Err(Error::Param);
         }
@@ -254,9 +254,9 @@ impl Levitation {
         let f49 = (-19.62) * (p_z0 * p_z0);
         let f56 = p_R * p_z0;
         let f61 = f53 * p_i0;
-        if !((1e-200 <= size_f42)
-            && (1e-200 <= size_f53)
-            && (1e-200 <= size_p_R)
+        if !((size_f42 >= 1e-200)
+            && (size_f53 >= 1e-200)
+            && (size_p_R >= 1e-200)
             && f42.is_finite()
             && f49.is_finite()
             && f53.is_finite()
@@ -311,7 +311,7 @@ impl Levitation {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 3]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -335,7 +335,7 @@ impl Levitation {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)

@@ -33,6 +33,38 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define MOTOR_GAMMA1 0.00010816330676811052 /* prediction from u */
+#define MOTOR_GAMMA2 0.30941358230147875 /* prediction from u */
+#define MOTOR_GAMMA3 0.37459048481653323 /* prediction from u */
+#define MOTOR_OBSERVER_SAMPLES 150U /* samples of the round of the observer */
+#define MOTOR_HOLD_O 40.0 /* samples to go at which the observer is held */
+#define MOTOR_Q1_1 (-96.0) /* weight in the observer's gain l1 */
+#define MOTOR_Q1_2 96.0 /* weight in the observer's gain l1 */
+#define MOTOR_Q1_3 (-48.0) /* weight in the observer's gain l1 */
+#define MOTOR_Q1_4 16.0 /* weight in the observer's gain l1 */
+#define MOTOR_Q2_1 859382.9277311233 /* weight in the observer's gain l2 */
+#define MOTOR_Q2_2 (-513847.60335174634) /* weight in the observer's gain l2 */
+#define MOTOR_Q2_3 125558.23800330989 /* weight in the observer's gain l2 */
+#define MOTOR_Q2_4 (-9808.939721535125) /* weight in the observer's gain l2 */
+#define MOTOR_Q3_1 (-620544.0922410007) /* weight in the observer's gain l3 */
+#define MOTOR_Q3_2 289368.54342637886 /* weight in the observer's gain l3 */
+#define MOTOR_Q3_3 (-49493.69520132396) /* weight in the observer's gain l3 */
+#define MOTOR_Q3_4 3680.3758886140504 /* weight in the observer's gain l3 */
+#define MOTOR_Q4_1 42644.35104284018 /* weight in the observer's gain l4 */
+#define MOTOR_PHI1_2 0.000996505559752715 /* prediction of x1 from x2 */
+#define MOTOR_PHI1_3 0.0006188271646029575 /* prediction of x1 from x3 */
+#define MOTOR_PHI1_4 0.00010816330676811052 /* prediction of x1 from d */
+#define MOTOR_PHI2_2 0.9902193397510792 /* prediction of x2 from x2 */
+#define MOTOR_PHI2_3 1.1234620408672982 /* prediction of x2 from x3 */
+#define MOTOR_PHI2_4 0.30941358230147875 /* prediction of x2 from d */
+#define MOTOR_PHI3_2 (-0.011234620408672982) /* prediction of x3 from x2 */
+#define MOTOR_PHI3_3 0.5412090107511158 /* prediction of x3 from x3 */
+#define MOTOR_PHI3_4 0.37459048481653323 /* prediction of x3 from d */
+#define MOTOR_SAMPLES 400U /* samples from the start to rest */
+#define MOTOR_U_MAX 24.0 /* bound of |u| */
+#define MOTOR_HOLD 20.0 /* samples to go at which the gains are held */
+
 /* Gains of least energy of each state, a row for the samples to go of a node */
 static const double motor_gains[88][3] = {
     {-1776.8479601183408, -3.433673119968826, -3.4085582810122124},
@@ -193,45 +225,42 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
                 x3 = 0.0;
                 d = 0.0;
             } else {
-                x1 = self->x1_next + (0.00010816330676811052 * self->u2);
-                x2 = self->x2_next + (0.30941358230147875 * self->u2);
-                x3 = self->x3_next + (0.37459048481653323 * self->u2);
+                x1 = self->x1_next + (MOTOR_GAMMA1 * self->u2);
+                x2 = self->x2_next + (MOTOR_GAMMA2 * self->u2);
+                x3 = self->x3_next + (MOTOR_GAMMA3 * self->u2);
                 d = self->d_next;
             }
 
             /* Prediction of the next sample. */
             const double miss1 = y[0] - x1;
             const double off1 = miss1;
-            const uint32_t left_o = (elapsed < 150U) ? (150U - elapsed) : 0U;
-            const double o0 = ((double)left_o < 40.0) ? 40.0 : (double)left_o;
+            const uint32_t left_o = (elapsed < MOTOR_OBSERVER_SAMPLES) ? (MOTOR_OBSERVER_SAMPLES - elapsed) : 0U;
+            const double o0 = ((double)left_o < MOTOR_HOLD_O) ? MOTOR_HOLD_O : (double)left_o;
             double l1;
             double l2;
             double l3;
             double l4;
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            const double r3 = 1.0 / (o0 - 3.0);
-            const double s1 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-            l1 = s1 - 0.46857164949780494;
-            const double s2 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-            const double s3 = (((s2 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-            l2 = s3 + 264.4187821124759;
-            const double s4 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-            const double s5 = (((s4 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-            l3 = s5 - 98.64522377262374;
-            l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
-            const double s6 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-            const double x1_on = s6 + (0.00010816330676811052 * d) + (l1 * off1);
-            const double s7 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-            const double x2_on = s7 + (0.30941358230147875 * d) + (l2 * off1);
-            const double s8 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-            const double x3_on = s8 + (0.37459048481653323 * d) + (l3 * off1);
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double o0f3 = o0f2 * (o0 - 2.0);
+            const double r0 = 1.0 / (o0f3 * (o0 - 3.0));
+            const double s1 = MOTOR_Q1_1 + (MOTOR_Q1_2 * o0) + (MOTOR_Q1_3 * o0f2);
+            l1 = ((s1 + (MOTOR_Q1_4 * o0f3)) * r0) - 0.46857164949780494;
+            const double s2 = MOTOR_Q2_1 + (MOTOR_Q2_2 * o0) + (MOTOR_Q2_3 * o0f2);
+            l2 = ((s2 + (MOTOR_Q2_4 * o0f3)) * r0) + 264.4187821124759;
+            const double s3 = MOTOR_Q3_1 + (MOTOR_Q3_2 * o0) + (MOTOR_Q3_3 * o0f2);
+            l3 = ((s3 + (MOTOR_Q3_4 * o0f3)) * r0) - 98.64522377262374;
+            l4 = MOTOR_Q4_1 * r0;
+            const double s4 = x1 + (MOTOR_PHI1_2 * x2) + (MOTOR_PHI1_3 * x3);
+            const double x1_on = s4 + (MOTOR_PHI1_4 * d) + (l1 * off1);
+            const double s5 = (MOTOR_PHI2_2 * x2) + (MOTOR_PHI2_3 * x3);
+            const double x2_on = s5 + (MOTOR_PHI2_4 * d) + (l2 * off1);
+            const double s6 = (MOTOR_PHI3_2 * x2) + (MOTOR_PHI3_3 * x3);
+            const double x3_on = s6 + (MOTOR_PHI3_4 * d) + (l3 * off1);
             const double d_on = d + (l4 * off1);
-            const uint32_t left = (elapsed < 400U) ? (400U - elapsed) : 0U;
+            const uint32_t left = (elapsed < MOTOR_SAMPLES) ? (MOTOR_SAMPLES - elapsed) : 0U;
             const uint32_t planned = (1U < left) ? (left - 1U) : 0U;
             uint32_t to_go;
-            if (20U < planned) {
+            if (planned > 20U) {
                 to_go = planned;
             } else {
                 to_go = 20U;
@@ -258,22 +287,22 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
             }
 
             /* The state from which this input acts. */
-            const double s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-            const double p1 = s9 + (0.00010816330676811052 * (self->u1 + d));
-            const double s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-            const double p2 = s10 + (0.30941358230147875 * (self->u1 + d));
-            const double s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-            const double p3 = s11 + (0.37459048481653323 * (self->u1 + d));
+            const double s7 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+            const double p1 = s7 + (0.00010816330676811052 * (self->u1 + d));
+            const double s8 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+            const double p2 = s8 + (0.30941358230147875 * (self->u1 + d));
+            const double s9 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+            const double p3 = s9 + (0.37459048481653323 * (self->u1 + d));
 
             /* The law of least energy. */
             const uint32_t above = row + 1U;
             double v;
-            const double s12 = part * (motor_gains[above][0] - motor_gains[row][0]);
-            const double s13 = part * (motor_gains[above][1] - motor_gains[row][1]);
-            const double s14 = (motor_gains[row][0] + s12) * p1;
-            const double s15 = part * (motor_gains[above][2] - motor_gains[row][2]);
-            const double s16 = s14 + ((motor_gains[row][1] + s13) * p2);
-            v = (s16 + ((motor_gains[row][2] + s15) * p3)) - d;
+            const double s10 = part * (motor_gains[above][0] - motor_gains[row][0]);
+            const double s11 = part * (motor_gains[above][1] - motor_gains[row][1]);
+            const double s12 = (motor_gains[row][0] + s10) * p1;
+            const double s13 = part * (motor_gains[above][2] - motor_gains[row][2]);
+            const double s14 = s12 + ((motor_gains[row][1] + s11) * p2);
+            v = (s14 + ((motor_gains[row][2] + s13) * p3)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)
                 && PTC_FINITE_F64(x1_on)
@@ -281,10 +310,10 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
                 && PTC_FINITE_F64(x3_on)
                 && PTC_FINITE_F64(d_on)) {
                 double u_now;
-                if (24.0 < v) {
-                    u_now = 24.0;
-                } else if (v < -24.0) {
-                    u_now = -24.0;
+                if (v > MOTOR_U_MAX) {
+                    u_now = MOTOR_U_MAX;
+                } else if (v < -MOTOR_U_MAX) {
+                    u_now = -MOTOR_U_MAX;
                 } else {
                     u_now = v;
                 }
@@ -300,9 +329,9 @@ ptc_status motor_step(motor *self, uint32_t k, const double y[1], double *u)
                 self->d_next = d_on;
                 self->seen = 1U;
                 *u = u_now;
-                if ((24.0 < v) || (v < -24.0)) {
+                if ((v > MOTOR_U_MAX) || (v < -MOTOR_U_MAX)) {
                     status = PTC_SATURATED;
-                } else if (((double)left) - 1.0 <= 20.0) {
+                } else if (((double)left) - 1.0 <= MOTOR_HOLD) {
                     status = PTC_HOLD;
                 } else {
                     status = PTC_OK;

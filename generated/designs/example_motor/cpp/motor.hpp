@@ -42,8 +42,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef MOTOR_D989F51B_HPP
-#define MOTOR_D989F51B_HPP
+#ifndef MOTOR_DD76C865_HPP
+#define MOTOR_DD76C865_HPP
 
 #include <array>
 #include <cfloat>
@@ -170,45 +170,42 @@ public:
             x3 = 0.0;
             d = 0.0;
         } else {
-            x1 = x1_next_ + (0.00010816330676811052 * u2_);
-            x2 = x2_next_ + (0.30941358230147875 * u2_);
-            x3 = x3_next_ + (0.37459048481653323 * u2_);
+            x1 = x1_next_ + (gamma1_ * u2_);
+            x2 = x2_next_ + (gamma2_ * u2_);
+            x3 = x3_next_ + (gamma3_ * u2_);
             d = d_next_;
         }
 
         // Prediction of the next sample.
         const double miss1 = y[0] - x1;
         const double off1 = miss1;
-        const std::uint32_t left_o = (elapsed < 150U) ? (150U - elapsed) : 0U;
-        const double o0 = (static_cast<double>(left_o) < 40.0) ? 40.0 : static_cast<double>(left_o);
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
+        const double o0 = (static_cast<double>(left_o) < hold_o_) ? hold_o_ : static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
         double l4{};
-        const double r0 = 1.0 / o0;
-        const double r1 = 1.0 / (o0 - 1.0);
-        const double r2 = 1.0 / (o0 - 2.0);
-        const double r3 = 1.0 / (o0 - 3.0);
-        const double s1 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-        l1 = s1 - 0.46857164949780494;
-        const double s2 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-        const double s3 = (((s2 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-        l2 = s3 + 264.4187821124759;
-        const double s4 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-        const double s5 = (((s4 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-        l3 = s5 - 98.64522377262374;
-        l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
-        const double s6 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        const double x1_on = s6 + (0.00010816330676811052 * d) + (l1 * off1);
-        const double s7 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        const double x2_on = s7 + (0.30941358230147875 * d) + (l2 * off1);
-        const double s8 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        const double x3_on = s8 + (0.37459048481653323 * d) + (l3 * off1);
+        const double o0f2 = o0 * (o0 - 1.0);
+        const double o0f3 = o0f2 * (o0 - 2.0);
+        const double r0 = 1.0 / (o0f3 * (o0 - 3.0));
+        const double s1 = q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2);
+        l1 = ((s1 + (q1_4_ * o0f3)) * r0) - 0.46857164949780494;
+        const double s2 = q2_1_ + (q2_2_ * o0) + (q2_3_ * o0f2);
+        l2 = ((s2 + (q2_4_ * o0f3)) * r0) + 264.4187821124759;
+        const double s3 = q3_1_ + (q3_2_ * o0) + (q3_3_ * o0f2);
+        l3 = ((s3 + (q3_4_ * o0f3)) * r0) - 98.64522377262374;
+        l4 = q4_1_ * r0;
+        const double s4 = x1 + (phi1_2_ * x2) + (phi1_3_ * x3);
+        const double x1_on = s4 + (phi1_4_ * d) + (l1 * off1);
+        const double s5 = (phi2_2_ * x2) + (phi2_3_ * x3);
+        const double x2_on = s5 + (phi2_4_ * d) + (l2 * off1);
+        const double s6 = (phi3_2_ * x2) + (phi3_3_ * x3);
+        const double x3_on = s6 + (phi3_4_ * d) + (l3 * off1);
         const double d_on = d + (l4 * off1);
-        const std::uint32_t left = (elapsed < 400U) ? (400U - elapsed) : 0U;
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const std::uint32_t planned = (1U < left) ? (left - 1U) : 0U;
         std::uint32_t to_go{};
-        if (20U < planned) {
+        if (planned > 20U) {
             to_go = planned;
         } else {
             to_go = 20U;
@@ -235,30 +232,30 @@ public:
         }
 
         // The state from which this input acts.
-        const double s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        const double p1 = s9 + (0.00010816330676811052 * (u1_ + d));
-        const double s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        const double p2 = s10 + (0.30941358230147875 * (u1_ + d));
-        const double s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        const double p3 = s11 + (0.37459048481653323 * (u1_ + d));
+        const double s7 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+        const double p1 = s7 + (0.00010816330676811052 * (u1_ + d));
+        const double s8 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+        const double p2 = s8 + (0.30941358230147875 * (u1_ + d));
+        const double s9 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+        const double p3 = s9 + (0.37459048481653323 * (u1_ + d));
 
         // The law of least energy.
         const std::uint32_t above = row + 1U;
         double v{};
-        const double s12 = part * (gains_[above][0] - gains_[row][0]);
-        const double s13 = part * (gains_[above][1] - gains_[row][1]);
-        const double s14 = (gains_[row][0] + s12) * p1;
-        const double s15 = part * (gains_[above][2] - gains_[row][2]);
-        const double s16 = s14 + ((gains_[row][1] + s13) * p2);
-        v = (s16 + ((gains_[row][2] + s15) * p3)) - d;
+        const double s10 = part * (gains_[above][0] - gains_[row][0]);
+        const double s11 = part * (gains_[above][1] - gains_[row][1]);
+        const double s12 = (gains_[row][0] + s10) * p1;
+        const double s13 = part * (gains_[above][2] - gains_[row][2]);
+        const double s14 = s12 + ((gains_[row][1] + s11) * p2);
+        v = (s14 + ((gains_[row][2] + s13) * p3)) - d;
         if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on) && finite(d_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (24.0 < v) {
-            u_now = 24.0;
-        } else if (v < -24.0) {
-            u_now = -24.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -273,9 +270,9 @@ public:
         d_hat_ = d;
         d_next_ = d_on;
         seen_ = 1U;
-        if ((24.0 < v) || (v < -24.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) - 1.0 <= 20.0) {
+        } else if (static_cast<double>(left) - 1.0 <= hold_) {
             return {u_now, Status::Hold};
         } else {
             return {u_now, Status::Ok};
@@ -305,6 +302,66 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Prediction from u.
+    static constexpr double gamma1_{0.00010816330676811052};
+    /// Prediction from u.
+    static constexpr double gamma2_{0.30941358230147875};
+    /// Prediction from u.
+    static constexpr double gamma3_{0.37459048481653323};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{150U};
+    /// Samples to go at which the observer is held.
+    static constexpr double hold_o_{40.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{-96.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{96.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{-48.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_4_{16.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{859382.9277311233};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{-513847.60335174634};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_3_{125558.23800330989};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_4_{-9808.939721535125};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{-620544.0922410007};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_2_{289368.54342637886};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_3_{-49493.69520132396};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_4_{3680.3758886140504};
+    /// Weight in the observer's gain l4.
+    static constexpr double q4_1_{42644.35104284018};
+    /// Prediction of x1 from x2.
+    static constexpr double phi1_2_{0.000996505559752715};
+    /// Prediction of x1 from x3.
+    static constexpr double phi1_3_{0.0006188271646029575};
+    /// Prediction of x1 from d.
+    static constexpr double phi1_4_{0.00010816330676811052};
+    /// Prediction of x2 from x2.
+    static constexpr double phi2_2_{0.9902193397510792};
+    /// Prediction of x2 from x3.
+    static constexpr double phi2_3_{1.1234620408672982};
+    /// Prediction of x2 from d.
+    static constexpr double phi2_4_{0.30941358230147875};
+    /// Prediction of x3 from x2.
+    static constexpr double phi3_2_{-0.011234620408672982};
+    /// Prediction of x3 from x3.
+    static constexpr double phi3_3_{0.5412090107511158};
+    /// Prediction of x3 from d.
+    static constexpr double phi3_4_{0.37459048481653323};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{400U};
+    /// Bound of |u|.
+    static constexpr double u_max_{24.0};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{20.0};
 
     /// Gains of least energy of each state, a row for the samples to go of a node.
     static constexpr std::array<std::array<double, 3>, 88> gains_{{

@@ -14,6 +14,36 @@ function [u, status, self] = motor_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+gamma1 = 0.00010816330676811052; % prediction from u
+gamma2 = 0.30941358230147875; % prediction from u
+gamma3 = 0.37459048481653323; % prediction from u
+observer_samples = uint32(150); % samples of the round of the observer
+hold_o = 40.0; % samples to go at which the observer is held
+q1_1 = -96.0; % weight in the observer's gain l1
+q1_2 = 96.0; % weight in the observer's gain l1
+q1_3 = -48.0; % weight in the observer's gain l1
+q1_4 = 16.0; % weight in the observer's gain l1
+q2_1 = 859382.9277311233; % weight in the observer's gain l2
+q2_2 = -513847.60335174634; % weight in the observer's gain l2
+q2_3 = 125558.23800330989; % weight in the observer's gain l2
+q2_4 = -9808.939721535125; % weight in the observer's gain l2
+q3_1 = -620544.0922410007; % weight in the observer's gain l3
+q3_2 = 289368.54342637886; % weight in the observer's gain l3
+q3_3 = -49493.69520132396; % weight in the observer's gain l3
+q3_4 = 3680.3758886140504; % weight in the observer's gain l3
+q4_1 = 42644.35104284018; % weight in the observer's gain l4
+phi1_2 = 0.000996505559752715; % prediction of x1 from x2
+phi1_3 = 0.0006188271646029575; % prediction of x1 from x3
+phi1_4 = 0.00010816330676811052; % prediction of x1 from d
+phi2_2 = 0.9902193397510792; % prediction of x2 from x2
+phi2_3 = 1.1234620408672982; % prediction of x2 from x3
+phi2_4 = 0.30941358230147875; % prediction of x2 from d
+phi3_2 = -0.011234620408672982; % prediction of x3 from x2
+phi3_3 = 0.5412090107511158; % prediction of x3 from x3
+phi3_4 = 0.37459048481653323; % prediction of x3 from d
+samples = uint32(400); % samples from the start to rest
+u_max = 24.0; % bound of |u|
+hold = 20.0; % samples to go at which the gains are held
 % Gains of least energy of each state, a row for the samples to go of a node.
 gains = [
     -1776.8479601183408, -3.433673119968826, -3.4085582810122124;
@@ -126,40 +156,37 @@ if self.seen == uint32(0)
     x3 = 0.0;
     d = 0.0;
 else
-    x1 = self.x1_next + (0.00010816330676811052 * self.u2);
-    x2 = self.x2_next + (0.30941358230147875 * self.u2);
-    x3 = self.x3_next + (0.37459048481653323 * self.u2);
+    x1 = self.x1_next + (gamma1 * self.u2);
+    x2 = self.x2_next + (gamma2 * self.u2);
+    x3 = self.x3_next + (gamma3 * self.u2);
     d = self.d_next;
 end
 
 % Prediction of the next sample.
 miss1 = y(1) - x1;
 off1 = miss1;
-left_o = uint32(150) - elapsed;
-o0 = pick(double(left_o) < 40.0, 40.0, double(left_o));
-r0 = 1.0 / o0;
-r1 = 1.0 / (o0 - 1.0);
-r2 = 1.0 / (o0 - 2.0);
-r3 = 1.0 / (o0 - 3.0);
-s1 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-l1 = s1 - 0.46857164949780494;
-s2 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-s3 = (((s2 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-l2 = s3 + 264.4187821124759;
-s4 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-s5 = (((s4 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-l3 = s5 - 98.64522377262374;
-l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
-s6 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-x1_on = s6 + (0.00010816330676811052 * d) + (l1 * off1);
-s7 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-x2_on = s7 + (0.30941358230147875 * d) + (l2 * off1);
-s8 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-x3_on = s8 + (0.37459048481653323 * d) + (l3 * off1);
+left_o = observer_samples - elapsed;
+o0 = pick(double(left_o) < hold_o, hold_o, double(left_o));
+o0f2 = o0 * (o0 - 1.0);
+o0f3 = o0f2 * (o0 - 2.0);
+r0 = 1.0 / (o0f3 * (o0 - 3.0));
+s1 = q1_1 + (q1_2 * o0) + (q1_3 * o0f2);
+l1 = ((s1 + (q1_4 * o0f3)) * r0) - 0.46857164949780494;
+s2 = q2_1 + (q2_2 * o0) + (q2_3 * o0f2);
+l2 = ((s2 + (q2_4 * o0f3)) * r0) + 264.4187821124759;
+s3 = q3_1 + (q3_2 * o0) + (q3_3 * o0f2);
+l3 = ((s3 + (q3_4 * o0f3)) * r0) - 98.64522377262374;
+l4 = q4_1 * r0;
+s4 = x1 + (phi1_2 * x2) + (phi1_3 * x3);
+x1_on = s4 + (phi1_4 * d) + (l1 * off1);
+s5 = (phi2_2 * x2) + (phi2_3 * x3);
+x2_on = s5 + (phi2_4 * d) + (l2 * off1);
+s6 = (phi3_2 * x2) + (phi3_3 * x3);
+x3_on = s6 + (phi3_4 * d) + (l3 * off1);
 d_on = d + (l4 * off1);
-left = uint32(400) - elapsed;
+left = samples - elapsed;
 planned = left - uint32(1);
-if uint32(20) < planned
+if planned > uint32(20)
     to_go = planned;
 else
     to_go = uint32(20);
@@ -184,29 +211,29 @@ else
 end
 
 % The state from which this input acts.
-s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-p1 = s9 + (0.00010816330676811052 * (self.u1 + d));
-s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-p2 = s10 + (0.30941358230147875 * (self.u1 + d));
-s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-p3 = s11 + (0.37459048481653323 * (self.u1 + d));
+s7 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+p1 = s7 + (0.00010816330676811052 * (self.u1 + d));
+s8 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+p2 = s8 + (0.30941358230147875 * (self.u1 + d));
+s9 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+p3 = s9 + (0.37459048481653323 * (self.u1 + d));
 
 % The law of least energy.
 above = row + uint32(1);
-s12 = part * (gains(above + 1, 1) - gains(row + 1, 1));
-s13 = part * (gains(above + 1, 2) - gains(row + 1, 2));
-s14 = (gains(row + 1, 1) + s12) * p1;
-s15 = part * (gains(above + 1, 3) - gains(row + 1, 3));
-s16 = s14 + ((gains(row + 1, 2) + s13) * p2);
-v = (s16 + ((gains(row + 1, 3) + s15) * p3)) - d;
+s10 = part * (gains(above + 1, 1) - gains(row + 1, 1));
+s11 = part * (gains(above + 1, 2) - gains(row + 1, 2));
+s12 = (gains(row + 1, 1) + s10) * p1;
+s13 = part * (gains(above + 1, 3) - gains(row + 1, 3));
+s14 = s12 + ((gains(row + 1, 2) + s11) * p2);
+v = (s14 + ((gains(row + 1, 3) + s13) * p3)) - d;
 if ~(isfinite(v) && isfinite(x1_on) && isfinite(x2_on) && isfinite(x3_on) && isfinite(d_on))
     status = int32(-3);
     return;
 end
-if 24.0 < v
-    u_now = 24.0;
-elseif v < -24.0
-    u_now = -24.0;
+if v > u_max
+    u_now = u_max;
+elseif v < -u_max
+    u_now = -u_max;
 else
     u_now = v;
 end
@@ -221,10 +248,10 @@ self.x3_next = x3_on;
 self.d_hat = d;
 self.d_next = d_on;
 self.seen = uint32(1);
-if (24.0 < v) || (v < -24.0)
+if (v > u_max) || (v < -u_max)
     u = u_now;
     status = int32(2);
-elseif double(left) - 1.0 <= 20.0
+elseif double(left) - 1.0 <= hold
     u = u_now;
     status = int32(1);
 else

@@ -101,6 +101,67 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(0.00010816330676811052)
+# Prediction from u.
+_GAMMA2 = _R(0.30941358230147875)
+# Prediction from u.
+_GAMMA3 = _R(0.37459048481653323)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 150
+# Samples to go at which the observer is held.
+_HOLD_O = _R(40.0)
+# Weight in the observer's gain l1.
+_Q1_1 = _R(-96.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(96.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(-48.0)
+# Weight in the observer's gain l1.
+_Q1_4 = _R(16.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(859382.9277311233)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(-513847.60335174634)
+# Weight in the observer's gain l2.
+_Q2_3 = _R(125558.23800330989)
+# Weight in the observer's gain l2.
+_Q2_4 = _R(-9808.939721535125)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(-620544.0922410007)
+# Weight in the observer's gain l3.
+_Q3_2 = _R(289368.54342637886)
+# Weight in the observer's gain l3.
+_Q3_3 = _R(-49493.69520132396)
+# Weight in the observer's gain l3.
+_Q3_4 = _R(3680.3758886140504)
+# Weight in the observer's gain l4.
+_Q4_1 = _R(42644.35104284018)
+# Prediction of x1 from x2.
+_PHI1_2 = _R(0.000996505559752715)
+# Prediction of x1 from x3.
+_PHI1_3 = _R(0.0006188271646029575)
+# Prediction of x1 from d.
+_PHI1_4 = _R(0.00010816330676811052)
+# Prediction of x2 from x2.
+_PHI2_2 = _R(0.9902193397510792)
+# Prediction of x2 from x3.
+_PHI2_3 = _R(1.1234620408672982)
+# Prediction of x2 from d.
+_PHI2_4 = _R(0.30941358230147875)
+# Prediction of x3 from x2.
+_PHI3_2 = _R(-0.011234620408672982)
+# Prediction of x3 from x3.
+_PHI3_3 = _R(0.5412090107511158)
+# Prediction of x3 from d.
+_PHI3_4 = _R(0.37459048481653323)
+# Samples from the start to rest.
+_SAMPLES = 400
+# Bound of |u|.
+_U_MAX = _R(24.0)
+# Samples to go at which the gains are held.
+_HOLD = _R(20.0)
+
 # Gains of least energy of each state, a row for the samples to go of a node.
 _GAINS = np.array(
     [
@@ -258,39 +319,36 @@ class Motor:
                 x3 = _R(0.0)
                 d = _R(0.0)
             else:
-                x1 = self._x1_next + (0.00010816330676811052 * self._u2)
-                x2 = self._x2_next + (0.30941358230147875 * self._u2)
-                x3 = self._x3_next + (0.37459048481653323 * self._u2)
+                x1 = self._x1_next + (_GAMMA1 * self._u2)
+                x2 = self._x2_next + (_GAMMA2 * self._u2)
+                x3 = self._x3_next + (_GAMMA3 * self._u2)
                 d = self._d_next
 
             # Prediction of the next sample.
             miss1 = y[0] - x1
             off1 = miss1
-            left_o = max(150 - elapsed, 0)
-            o0 = max(_R(left_o), _R(40.0))
-            r0 = 1.0 / o0
-            r1 = 1.0 / (o0 - 1.0)
-            r2 = 1.0 / (o0 - 2.0)
-            r3 = 1.0 / (o0 - 3.0)
-            s1 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3
-            l1 = s1 - 0.46857164949780494
-            s2 = ((859382.9277311233 * r0) - 513847.60335174634) * r1
-            s3 = (((s2 + 125558.23800330989) * r2) - 9808.939721535125) * r3
-            l2 = s3 + 264.4187821124759
-            s4 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1
-            s5 = (((s4 - 49493.69520132396) * r2) + 3680.3758886140504) * r3
-            l3 = s5 - 98.64522377262374
-            l4 = 42644.35104284018 * r0 * r1 * r2 * r3
-            s6 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3)
-            x1_on = s6 + (0.00010816330676811052 * d) + (l1 * off1)
-            s7 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3)
-            x2_on = s7 + (0.30941358230147875 * d) + (l2 * off1)
-            s8 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3)
-            x3_on = s8 + (0.37459048481653323 * d) + (l3 * off1)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
+            o0 = max(_R(left_o), _HOLD_O)
+            o0f2 = o0 * (o0 - 1.0)
+            o0f3 = o0f2 * (o0 - 2.0)
+            r0 = 1.0 / (o0f3 * (o0 - 3.0))
+            s1 = _Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)
+            l1 = ((s1 + (_Q1_4 * o0f3)) * r0) - 0.46857164949780494
+            s2 = _Q2_1 + (_Q2_2 * o0) + (_Q2_3 * o0f2)
+            l2 = ((s2 + (_Q2_4 * o0f3)) * r0) + 264.4187821124759
+            s3 = _Q3_1 + (_Q3_2 * o0) + (_Q3_3 * o0f2)
+            l3 = ((s3 + (_Q3_4 * o0f3)) * r0) - 98.64522377262374
+            l4 = _Q4_1 * r0
+            s4 = x1 + (_PHI1_2 * x2) + (_PHI1_3 * x3)
+            x1_on = s4 + (_PHI1_4 * d) + (l1 * off1)
+            s5 = (_PHI2_2 * x2) + (_PHI2_3 * x3)
+            x2_on = s5 + (_PHI2_4 * d) + (l2 * off1)
+            s6 = (_PHI3_2 * x2) + (_PHI3_3 * x3)
+            x3_on = s6 + (_PHI3_4 * d) + (l3 * off1)
             d_on = d + (l4 * off1)
-            left = max(400 - elapsed, 0)
+            left = max(_SAMPLES - elapsed, 0)
             planned = max(left - 1, 0)
-            if 20 < planned:
+            if planned > 20:
                 to_go = planned
             else:
                 to_go = 20
@@ -313,21 +371,21 @@ class Motor:
                 part = (0.0625 * _R(to_go)) - _R(to_go // 16)
 
             # The state from which this input acts.
-            s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3)
-            p1 = s9 + (0.00010816330676811052 * (self._u1 + d))
-            s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3)
-            p2 = s10 + (0.30941358230147875 * (self._u1 + d))
-            s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3)
-            p3 = s11 + (0.37459048481653323 * (self._u1 + d))
+            s7 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3)
+            p1 = s7 + (0.00010816330676811052 * (self._u1 + d))
+            s8 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3)
+            p2 = s8 + (0.30941358230147875 * (self._u1 + d))
+            s9 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3)
+            p3 = s9 + (0.37459048481653323 * (self._u1 + d))
 
             # The law of least energy.
             above = row + 1
-            s12 = part * (_GAINS[above, 0] - _GAINS[row, 0])
-            s13 = part * (_GAINS[above, 1] - _GAINS[row, 1])
-            s14 = (_GAINS[row, 0] + s12) * p1
-            s15 = part * (_GAINS[above, 2] - _GAINS[row, 2])
-            s16 = s14 + ((_GAINS[row, 1] + s13) * p2)
-            v = (s16 + ((_GAINS[row, 2] + s15) * p3)) - d
+            s10 = part * (_GAINS[above, 0] - _GAINS[row, 0])
+            s11 = part * (_GAINS[above, 1] - _GAINS[row, 1])
+            s12 = (_GAINS[row, 0] + s10) * p1
+            s13 = part * (_GAINS[above, 2] - _GAINS[row, 2])
+            s14 = s12 + ((_GAINS[row, 1] + s11) * p2)
+            v = (s14 + ((_GAINS[row, 2] + s13) * p3)) - d
             if not (
                 np.isfinite(v)
                 and np.isfinite(x1_on)
@@ -336,10 +394,10 @@ class Motor:
                 and np.isfinite(d_on)
             ):
                 return Control(_R(0.0), Status.RANGE)
-            if 24.0 < v:
-                u_now = _R(24.0)
-            elif v < -24.0:
-                u_now = _R(-24.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -353,9 +411,9 @@ class Motor:
             self._d_hat = d
             self._d_next = d_on
             self._seen = 1
-            if (24.0 < v) or (v < -24.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) - 1.0 <= 20.0:
+            elif _R(left) - 1.0 <= _HOLD:
                 return Control(u_now, Status.HOLD)
             else:
                 return Control(u_now, Status.OK)

@@ -160,6 +160,67 @@ pub struct Motor {
     clippy::nursery
 )]
 impl Motor {
+    /// Prediction from u.
+    const GAMMA1: f64 = 0.00010816330676811052;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.30941358230147875;
+    /// Prediction from u.
+    const GAMMA3: f64 = 0.37459048481653323;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 150;
+    /// Samples to go at which the observer is held.
+    const HOLD_O: f64 = 40.0;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = -96.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = 96.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = -48.0;
+    /// Weight in the observer's gain l1.
+    const Q1_4: f64 = 16.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = 859382.9277311233;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = -513847.60335174634;
+    /// Weight in the observer's gain l2.
+    const Q2_3: f64 = 125558.23800330989;
+    /// Weight in the observer's gain l2.
+    const Q2_4: f64 = -9808.939721535125;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = -620544.0922410007;
+    /// Weight in the observer's gain l3.
+    const Q3_2: f64 = 289368.54342637886;
+    /// Weight in the observer's gain l3.
+    const Q3_3: f64 = -49493.69520132396;
+    /// Weight in the observer's gain l3.
+    const Q3_4: f64 = 3680.3758886140504;
+    /// Weight in the observer's gain l4.
+    const Q4_1: f64 = 42644.35104284018;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.000996505559752715;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f64 = 0.0006188271646029575;
+    /// Prediction of x1 from d.
+    const PHI1_4: f64 = 0.00010816330676811052;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9902193397510792;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f64 = 1.1234620408672982;
+    /// Prediction of x2 from d.
+    const PHI2_4: f64 = 0.30941358230147875;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f64 = -0.011234620408672982;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f64 = 0.5412090107511158;
+    /// Prediction of x3 from d.
+    const PHI3_4: f64 = 0.37459048481653323;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 400;
+    /// Bound of |u|.
+    const U_MAX: f64 = 24.0;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 20.0;
+
     /// Gains of least energy of each state, a row for the samples to go of a node.
     #[rustfmt::skip]
     const GAINS: &'static [[f64; 3]; 88] = &[
@@ -316,18 +377,18 @@ impl Motor {
             x3 = 0.0;
             d = 0.0;
         } else {
-            x1 = self.x1_next + (0.00010816330676811052 * self.u2);
-            x2 = self.x2_next + (0.30941358230147875 * self.u2);
-            x3 = self.x3_next + (0.37459048481653323 * self.u2);
+            x1 = self.x1_next + (Self::GAMMA1 * self.u2);
+            x2 = self.x2_next + (Self::GAMMA2 * self.u2);
+            x3 = self.x3_next + (Self::GAMMA3 * self.u2);
             d = self.d_next;
         }
 
         // Prediction of the next sample.
         let miss1 = y[0] - x1;
         let off1 = miss1;
-        let left_o = 150_u32.saturating_sub(elapsed);
-        let o0 = if (left_o as f64) < 40.0 {
-            40.0
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
+        let o0 = if (left_o as f64) < Self::HOLD_O {
+            Self::HOLD_O
         } else {
             left_o as f64
         };
@@ -335,30 +396,27 @@ impl Motor {
         let l2: f64;
         let l3: f64;
         let l4: f64;
-        let r0 = 1.0 / o0;
-        let r1 = 1.0 / (o0 - 1.0);
-        let r2 = 1.0 / (o0 - 2.0);
-        let r3 = 1.0 / (o0 - 3.0);
-        let s1 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-        l1 = s1 - 0.46857164949780494;
-        let s2 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-        let s3 = (((s2 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-        l2 = s3 + 264.4187821124759;
-        let s4 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-        let s5 = (((s4 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-        l3 = s5 - 98.64522377262374;
-        l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
-        let s6 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        let x1_on = s6 + (0.00010816330676811052 * d) + (l1 * off1);
-        let s7 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        let x2_on = s7 + (0.30941358230147875 * d) + (l2 * off1);
-        let s8 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        let x3_on = s8 + (0.37459048481653323 * d) + (l3 * off1);
+        let o0f2 = o0 * (o0 - 1.0);
+        let o0f3 = o0f2 * (o0 - 2.0);
+        let r0 = 1.0 / (o0f3 * (o0 - 3.0));
+        let s1 = Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2);
+        l1 = ((s1 + (Self::Q1_4 * o0f3)) * r0) - 0.46857164949780494;
+        let s2 = Self::Q2_1 + (Self::Q2_2 * o0) + (Self::Q2_3 * o0f2);
+        l2 = ((s2 + (Self::Q2_4 * o0f3)) * r0) + 264.4187821124759;
+        let s3 = Self::Q3_1 + (Self::Q3_2 * o0) + (Self::Q3_3 * o0f2);
+        l3 = ((s3 + (Self::Q3_4 * o0f3)) * r0) - 98.64522377262374;
+        l4 = Self::Q4_1 * r0;
+        let s4 = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3);
+        let x1_on = s4 + (Self::PHI1_4 * d) + (l1 * off1);
+        let s5 = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3);
+        let x2_on = s5 + (Self::PHI2_4 * d) + (l2 * off1);
+        let s6 = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3);
+        let x3_on = s6 + (Self::PHI3_4 * d) + (l3 * off1);
         let d_on = d + (l4 * off1);
-        let left = 400_u32.saturating_sub(elapsed);
+        let left = Self::SAMPLES.saturating_sub(elapsed);
         let planned = left.saturating_sub(1);
         let to_go: u32;
-        if 20 < planned {
+        if planned > 20 {
             to_go = planned;
         } else {
             to_go = 20;
@@ -385,22 +443,22 @@ impl Motor {
         }
 
         // The state from which this input acts.
-        let s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        let p1 = s9 + (0.00010816330676811052 * (self.u1 + d));
-        let s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        let p2 = s10 + (0.30941358230147875 * (self.u1 + d));
-        let s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        let p3 = s11 + (0.37459048481653323 * (self.u1 + d));
+        let s7 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
+        let p1 = s7 + (0.00010816330676811052 * (self.u1 + d));
+        let s8 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
+        let p2 = s8 + (0.30941358230147875 * (self.u1 + d));
+        let s9 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
+        let p3 = s9 + (0.37459048481653323 * (self.u1 + d));
 
         // The law of least energy.
         let above = row + 1;
         let v: f64;
-        let s12 = part * (Self::GAINS[above as usize][0] - Self::GAINS[row as usize][0]);
-        let s13 = part * (Self::GAINS[above as usize][1] - Self::GAINS[row as usize][1]);
-        let s14 = (Self::GAINS[row as usize][0] + s12) * p1;
-        let s15 = part * (Self::GAINS[above as usize][2] - Self::GAINS[row as usize][2]);
-        let s16 = s14 + ((Self::GAINS[row as usize][1] + s13) * p2);
-        v = (s16 + ((Self::GAINS[row as usize][2] + s15) * p3)) - d;
+        let s10 = part * (Self::GAINS[above as usize][0] - Self::GAINS[row as usize][0]);
+        let s11 = part * (Self::GAINS[above as usize][1] - Self::GAINS[row as usize][1]);
+        let s12 = (Self::GAINS[row as usize][0] + s10) * p1;
+        let s13 = part * (Self::GAINS[above as usize][2] - Self::GAINS[row as usize][2]);
+        let s14 = s12 + ((Self::GAINS[row as usize][1] + s11) * p2);
+        v = (s14 + ((Self::GAINS[row as usize][2] + s13) * p3)) - d;
         if !(v.is_finite()
             && x1_on.is_finite()
             && x2_on.is_finite()
@@ -410,10 +468,10 @@ impl Motor {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 24.0 < v {
-            u_now = 24.0;
-        } else if v < -24.0 {
-            u_now = -24.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -428,9 +486,9 @@ impl Motor {
         self.d_hat = d;
         self.d_next = d_on;
         self.seen = 1;
-        let status = if (24.0 < v) || (v < -24.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if (left as f64) - 1.0 <= 20.0 {
+        } else if (left as f64) - 1.0 <= Self::HOLD {
             Status::Hold
         } else {
             Status::Ok

@@ -82,7 +82,7 @@ ptc_status pendulum_step(const pendulum *self, double t, const double x[2], doub
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
         const double x1 = x[0];
-        if ((self->t0 <= t) && PTC_FINITE_F64(x1)) {
+        if ((t >= self->t0) && PTC_FINITE_F64(x1)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.006) ? past : -0.006;
             const double inv_T = (-1.0) / late;
@@ -93,7 +93,7 @@ ptc_status pendulum_step(const pendulum *self, double t, const double x[2], doub
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (25.0 < v) {
+                    if (v > 25.0) {
                         *u = 25.0;
                         status = PTC_SATURATED;
                     } else if (v < -25.0) {

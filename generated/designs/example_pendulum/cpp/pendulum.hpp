@@ -73,8 +73,8 @@
  * Operations of one step, without input checks and clipping: 6 additions or comparisons, 6
  *       multiplications, 1 division, 1 function call.
  */
-#ifndef PENDULUM_CB17BD60_HPP
-#define PENDULUM_CB17BD60_HPP
+#ifndef PENDULUM_7122C95E_HPP
+#define PENDULUM_7122C95E_HPP
 
 #include <array>
 #include <cfloat>
@@ -188,7 +188,7 @@ public:
     Control<double> step(double t, const std::array<double, 2>& x) const noexcept
     {
         const double x1 = x[0];
-        if (!((t0_ <= t) && finite(x1))) {
+        if (!((t >= t0_) && finite(x1))) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -200,7 +200,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[1])) {
             if (finite(v)) {
-                if (25.0 < v) {
+                if (v > 25.0) {
                     return {25.0, Status::Saturated};
                 } else if (v < -25.0) {
                     return {-25.0, Status::Saturated};

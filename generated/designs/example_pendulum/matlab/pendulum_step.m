@@ -16,7 +16,7 @@ u = 0.0;
 t = double(t);
 x = double(x);
 x1 = x(1);
-if ~((self.t0 <= t) && isfinite(x1))
+if ~((t >= self.t0) && isfinite(x1))
     status = int32(-2);
     return;
 end
@@ -30,7 +30,7 @@ if isfinite(v) && (abs(v) <= 25.0) && (late < -0.006)
     status = int32(0);
 elseif isfinite(t) && isfinite(x(2))
     if isfinite(v)
-        if 25.0 < v
+        if v > 25.0
             u = 25.0;
             status = int32(2);
         elseif v < -25.0

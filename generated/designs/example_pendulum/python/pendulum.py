@@ -186,7 +186,7 @@ class Pendulum:
             way1 = np.isfinite(v) & (np.abs(v) <= 25.0) & (late < -0.006)
             way2 = np.isfinite(t) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = 25.0 < v
+            way4 = v > 25.0
             way5 = v < -25.0
-            status = np.where((self._t0 <= t) & np.isfinite(x1), np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where((t >= self._t0) & np.isfinite(x1), np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, 25.0, np.where(way5, -25.0, v)))), status.astype(np.int8))

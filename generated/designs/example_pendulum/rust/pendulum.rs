@@ -238,7 +238,7 @@ impl Pendulum {
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
         let x1 = x[0];
-        if !((self.t0 <= t) && x1.is_finite()) {
+        if !((t >= self.t0) && x1.is_finite()) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -250,7 +250,7 @@ impl Pendulum {
             (v, Status::Ok)
         } else if t.is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if 25.0 < v {
+                if v > 25.0 {
                     (25.0, Status::Saturated)
                 } else if v < -25.0 {
                     (-25.0, Status::Saturated)

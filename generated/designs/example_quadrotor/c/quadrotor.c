@@ -76,7 +76,7 @@ ptc_status quadrotor_tick(const quadrotor *self, double t, quadrotor_gains *gain
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.02) ? past : -0.02;
             const double inv_T = (-1.0) / late;
@@ -140,7 +140,7 @@ ptc_status quadrotor_axis(
                 && PTC_FINITE_F64(r[1])
                 && PTC_FINITE_F64(r[2])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (gains->u_max[axis] < v) {
+                    if (v > gains->u_max[axis]) {
                         *u = gains->u_max[axis];
                         status = PTC_SATURATED;
                     } else {
@@ -171,7 +171,7 @@ ptc_status quadrotor_step(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (x != NULL) && (r != NULL) && (u != NULL) && (axes != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.02) ? past : -0.02;
             const double inv_T = (-1.0) / late;

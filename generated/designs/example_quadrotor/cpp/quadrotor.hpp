@@ -71,8 +71,8 @@
  * Operations of one step, without input checks and clipping: 19 additions or comparisons, 14
  *       multiplications, 5 divisions.
  */
-#ifndef QUADROTOR_104D23C3_HPP
-#define QUADROTOR_104D23C3_HPP
+#ifndef QUADROTOR_E695D910_HPP
+#define QUADROTOR_E695D910_HPP
 
 #include <array>
 #include <cfloat>
@@ -180,7 +180,7 @@ struct [[nodiscard]] QuadrotorGains {
             && finite(r[1])
             && finite(r[2])) {
             if (finite(v)) {
-                if (u_max[axis] < v) {
+                if (v > u_max[axis]) {
                     return {u_max[axis], Status::Saturated};
                 } else {
                     return {-u_max[axis], Status::Saturated};
@@ -250,7 +250,7 @@ public:
     /// The gains at time t [s] for all axes, from which step computes u of each.
     constexpr Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;
@@ -291,7 +291,7 @@ public:
     constexpr Axes<double, 4> step(double t, const std::array<std::array<double, 2>, 4>& x, const std::array<std::array<double, 3>, 4>& r) const noexcept
     {
         Axes<double, 4> all{};
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {{}, {{Status::Input, Status::Input, Status::Input, Status::Input}}, Status::Input};
         }
         const double past = (t - deadline_) - correction_;

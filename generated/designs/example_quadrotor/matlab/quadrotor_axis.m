@@ -41,7 +41,7 @@ if isfinite(v) && (abs(v) <= gains.u_max(axis + 1))
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2)) && isfinite(r(1)) && isfinite(r(2)) && isfinite(r(3))
     if isfinite(v)
-        if gains.u_max(axis + 1) < v
+        if v > gains.u_max(axis + 1)
             u = gains.u_max(axis + 1);
             status = int32(2);
         else

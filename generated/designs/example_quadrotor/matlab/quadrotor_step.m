@@ -19,7 +19,7 @@ axes = repmat(int32(-2), 4, 1);
 t = double(t);
 x = double(x);
 r = double(r);
-if ~(isfinite(t) && (self.t0 <= t))
+if ~(isfinite(t) && (t >= self.t0))
     status = int32(-2);
     return;
 end

@@ -187,7 +187,7 @@ class Gains:
             way1 = np.isfinite(v) & (np.abs(v) <= self.u_max[..., axis])
             way2 = np.isfinite(x1) & np.isfinite(x2) & np.isfinite(r0) & np.isfinite(r1) & np.isfinite(r2)
             way3 = np.isfinite(v)
-            way4 = self.u_max[..., axis] < v
+            way4 = v > self.u_max[..., axis]
             status = np.where(axis < 4, np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT)), Status.INPUT)
             status = np.where(self.status < 0, self.status, status)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self.u_max[..., axis], -self.u_max[..., axis]))), status.astype(np.int8))
@@ -239,7 +239,7 @@ class Quadrotor:
             v3 = (-42.0) * inv_T * inv_T
             v4 = (-12.0) * inv_T
             way1 = late < -0.02
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
             gain = np.stack(np.broadcast_arrays(v1, v2, v3, v4, v3, v4, v1, v2), axis=-1)
             input_gain = np.stack(np.broadcast_arrays(0.8333333333333334, 83.33333333333333, 76.92307692307692, 45.45454545454545), axis=-1)
             u_max = np.stack(np.broadcast_arrays(8.0, 0.4, 0.4, 0.1), axis=-1)
@@ -329,7 +329,7 @@ class Quadrotor:
                 holds1 = np.asarray(status < Status.OK)
                 for axis in range(4):
                     u[axis] = np.where(holds1 & holds, np.asarray(_R(0.0)), u[axis])
-            legal = np.isfinite(t) & (self._t0 <= t)
+            legal = np.isfinite(t) & (t >= self._t0)
             axes = [np.where(legal, each, Status.INPUT) for each in axes]
             status = np.where(legal, status, Status.INPUT)
             every = np.broadcast_arrays(*u, *axes, status)

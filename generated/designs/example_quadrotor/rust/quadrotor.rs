@@ -238,7 +238,7 @@ impl Quadrotor {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<QuadrotorGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -279,7 +279,7 @@ impl Quadrotor {
         let mut u = [0.0; 4];
         let mut axes = [Ok(Status::Ok); 4];
         let mut status;
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return failed(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -409,7 +409,7 @@ impl QuadrotorGains {
             && r[2].is_finite()
         {
             if v.is_finite() {
-                if self.u_max[axis as usize] < v {
+                if v > self.u_max[axis as usize] {
                     (self.u_max[axis as usize], Status::Saturated)
                 } else {
                     (-self.u_max[axis as usize], Status::Saturated)

@@ -80,7 +80,7 @@ ptc_status table_step(const table *self, double t, const double x[2], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.0493) ? past : -0.0493;
             const double inv_T = (-1.0) / late;
@@ -90,7 +90,7 @@ ptc_status table_step(const table *self, double t, const double x[2], double *u)
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (0.5 < v) {
+                    if (v > 0.5) {
                         *u = 0.5;
                         status = PTC_SATURATED;
                     } else if (v < -0.5) {
@@ -117,7 +117,7 @@ ptc_status table_tick(const table *self, double t, table_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.0493) ? past : -0.0493;
             const double inv_T = (-1.0) / late;
@@ -148,7 +148,7 @@ ptc_status table_axis(const table_gains *gains, const double x[2], double *u)
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (0.5 < v) {
+                if (v > 0.5) {
                     *u = 0.5;
                     status = PTC_SATURATED;
                 } else {

@@ -63,8 +63,8 @@
  * Operations of one step, without input checks and clipping: 4 additions or comparisons, 5
  *       multiplications, 1 division.
  */
-#ifndef TABLE_9A75E48C_HPP
-#define TABLE_9A75E48C_HPP
+#ifndef TABLE_D3DDC68E_HPP
+#define TABLE_D3DDC68E_HPP
 
 #include <array>
 #include <cfloat>
@@ -145,7 +145,7 @@ struct [[nodiscard]] TableGains {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1])) {
             if (finite(v)) {
-                if (0.5 < v) {
+                if (v > 0.5) {
                     return {0.5, Status::Saturated};
                 } else {
                     return {-0.5, Status::Saturated};
@@ -220,7 +220,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 2>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -231,7 +231,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
             if (finite(v)) {
-                if (0.5 < v) {
+                if (v > 0.5) {
                     return {0.5, Status::Saturated};
                 } else if (v < -0.5) {
                     return {-0.5, Status::Saturated};
@@ -250,7 +250,7 @@ public:
     /// each. The result of tick and axis may differ from that of step in the last bits.
     constexpr Gains tick(double t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const double past = (t - deadline_) - correction_;

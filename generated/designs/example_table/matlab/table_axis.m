@@ -24,7 +24,7 @@ if isfinite(v) && (abs(v) <= 0.5)
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2))
     if isfinite(v)
-        if 0.5 < v
+        if v > 0.5
             u = 0.5;
             status = int32(2);
         else

@@ -15,7 +15,7 @@ function [u, status] = table_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-if ~(self.t0 <= t)
+if ~(t >= self.t0)
     status = int32(-2);
     return;
 end
@@ -28,7 +28,7 @@ if isfinite(v) && (abs(v) <= 0.5) && (late < -0.0493)
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2))
     if isfinite(v)
-        if 0.5 < v
+        if v > 0.5
             u = 0.5;
             status = int32(2);
         elseif v < -0.5

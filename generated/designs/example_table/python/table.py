@@ -144,7 +144,7 @@ class Gains:
             way1 = np.isfinite(v) & (np.abs(v) <= 0.5)
             way2 = np.isfinite(x1) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = 0.5 < v
+            way4 = v > 0.5
             status = np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT))
             status = np.where(self.status < 0, self.status, status)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, 0.5, -0.5))), status.astype(np.int8))
@@ -200,9 +200,9 @@ class Table:
             way1 = np.isfinite(v) & (np.abs(v) <= 0.5) & (late < -0.0493)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = 0.5 < v
+            way4 = v > 0.5
             way5 = v < -0.5
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(t >= self._t0, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, 0.5, np.where(way5, -0.5, v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
@@ -217,6 +217,6 @@ class Table:
             late = np.where(past < -0.0493, past, -0.0493)
             inv_T = (-1.0) / late
             way1 = late < -0.0493
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
             gain = np.stack(np.broadcast_arrays((-20.0) * inv_T * inv_T, (-8.0) * inv_T), axis=-1)
             return Gains(gain, status.astype(np.int8))

@@ -221,7 +221,7 @@ impl Table {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -232,7 +232,7 @@ impl Table {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if 0.5 < v {
+                if v > 0.5 {
                     (0.5, Status::Saturated)
                 } else if v < -0.5 {
                     (-0.5, Status::Saturated)
@@ -255,7 +255,7 @@ impl Table {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<TableGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -293,7 +293,7 @@ impl TableGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if 0.5 < v {
+                if v > 0.5 {
                     (0.5, Status::Saturated)
                 } else {
                     (-0.5, Status::Saturated)

@@ -87,7 +87,7 @@ ptc_status tank_step(
         const double x2 = x[1];
         const double x3 = x[2];
         if (PTC_FINITE_F64(t)
-            && (self->t0 <= t)
+            && (t >= self->t0)
             && PTC_FINITE_F64(x1)
             && PTC_FINITE_F64(x2)
             && PTC_FINITE_F64(x3)) {
@@ -116,7 +116,7 @@ ptc_status tank_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (2.0 < control1) {
+                if (control1 > 2.0) {
                     u[0] = 2.0;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -127,7 +127,7 @@ ptc_status tank_step(
                 } else {
                     /* neither */
                 }
-                if (50.0 < control2) {
+                if (control2 > 50.0) {
                     u[1] = 50.0;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

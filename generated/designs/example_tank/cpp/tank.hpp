@@ -80,8 +80,8 @@
  * Operations of one step, without input checks and clipping: 14 additions or comparisons, 14
  *       multiplications, 3 divisions.
  */
-#ifndef TANK_81BA1145_HPP
-#define TANK_81BA1145_HPP
+#ifndef TANK_36EAC095_HPP
+#define TANK_36EAC095_HPP
 
 #include <array>
 #include <cfloat>
@@ -211,7 +211,7 @@ public:
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
+        if (!(finite(t) && (t >= t0_) && finite(x1) && finite(x2) && finite(x3))) {
             return {{}, {{Status::Input, Status::Input}}, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -239,7 +239,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (2.0 < control1) {
+            if (control1 > 2.0) {
                 all.u[0] = 2.0;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -248,7 +248,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (50.0 < control2) {
+            if (control2 > 50.0) {
                 all.u[1] = 50.0;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;

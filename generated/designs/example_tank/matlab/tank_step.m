@@ -21,7 +21,7 @@ x = double(x);
 x1 = x(1);
 x2 = x(2);
 x3 = x(3);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3))
+if ~(isfinite(t) && (t >= self.t0) && isfinite(x1) && isfinite(x2) && isfinite(x3))
     status = int32(-2);
     return;
 end
@@ -50,7 +50,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if 2.0 < control1
+    if control1 > 2.0
         u(1) = 2.0;
         axes(1) = int32(2);
         status = int32(2);
@@ -59,7 +59,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if 50.0 < control2
+    if control2 > 50.0
         u(2) = 50.0;
         axes(2) = int32(2);
         status = int32(2);

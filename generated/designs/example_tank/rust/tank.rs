@@ -250,7 +250,7 @@ impl Tank {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
+        if !(t.is_finite() && (t >= self.t0) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return failed(Error::Input);
         }
@@ -283,7 +283,7 @@ impl Tank {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if 2.0 < control1 {
+            if control1 > 2.0 {
                 u[0] = 2.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -292,7 +292,7 @@ impl Tank {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 50.0 < control2 {
+            if control2 > 50.0 {
                 u[1] = 50.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -78,7 +78,7 @@ ptc_status track_step(const track *self, double t, const double x[2], double *u)
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < -0.0442) ? past : -0.0442;
             const double inv_T = (-1.0) / late;
@@ -95,7 +95,7 @@ ptc_status track_step(const track *self, double t, const double x[2], double *u)
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (50.0 < v) {
+                    if (v > 50.0) {
                         *u = 50.0;
                         status = PTC_SATURATED;
                     } else if (v < -50.0) {

@@ -69,8 +69,8 @@
  * Operations of one step, without input checks and clipping: 8 additions or comparisons, 9
  *       multiplications, 1 division, 2 function calls.
  */
-#ifndef TRACK_DAE642BE_HPP
-#define TRACK_DAE642BE_HPP
+#ifndef TRACK_AD08427D_HPP
+#define TRACK_AD08427D_HPP
 
 #include <array>
 #include <cfloat>
@@ -178,7 +178,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     Control<double> step(double t, const std::array<double, 2>& x) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -196,7 +196,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(x[0]) && finite(x[1])) {
             if (finite(v)) {
-                if (50.0 < v) {
+                if (v > 50.0) {
                     return {50.0, Status::Saturated};
                 } else if (v < -50.0) {
                     return {-50.0, Status::Saturated};

@@ -15,7 +15,7 @@ function [u, status] = track_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-if ~(isfinite(t) && (self.t0 <= t))
+if ~(isfinite(t) && (t >= self.t0))
     status = int32(-2);
     return;
 end
@@ -35,7 +35,7 @@ if isfinite(v) && (abs(v) <= 50.0) && (late < -0.0442)
     status = int32(0);
 elseif isfinite(x(1)) && isfinite(x(2))
     if isfinite(v)
-        if 50.0 < v
+        if v > 50.0
             u = 50.0;
             status = int32(2);
         elseif v < -50.0

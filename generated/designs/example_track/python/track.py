@@ -181,7 +181,7 @@ class Track:
             way1 = np.isfinite(v) & (np.abs(v) <= 50.0) & (late < -0.0442)
             way2 = np.isfinite(x1) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = 50.0 < v
+            way4 = v > 50.0
             way5 = v < -50.0
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, 50.0, np.where(way5, -50.0, v)))), status.astype(np.int8))

@@ -238,7 +238,7 @@ impl Track {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -256,7 +256,7 @@ impl Track {
             (v, Status::Ok)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if 50.0 < v {
+                if v > 50.0 {
                     (50.0, Status::Saturated)
                 } else if v < -50.0 {
                     (-50.0, Status::Saturated)

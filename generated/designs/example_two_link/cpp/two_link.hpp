@@ -84,8 +84,8 @@
  * Operations of one step, without input checks and clipping: 17 additions or comparisons, 26
  *       multiplications, 1 division, 4 function calls.
  */
-#ifndef TWO_LINK_405F1002_HPP
-#define TWO_LINK_405F1002_HPP
+#ifndef TWO_LINK_61A369E9_HPP
+#define TWO_LINK_61A369E9_HPP
 
 #include <array>
 #include <cfloat>
@@ -217,7 +217,7 @@ public:
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3) && finite(x4))) {
+        if (!(finite(t) && (t >= t0_) && finite(x1) && finite(x2) && finite(x3) && finite(x4))) {
             return {{}, {{Status::Input, Status::Input}}, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -247,7 +247,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (120.0 < control1) {
+            if (control1 > 120.0) {
                 all.u[0] = 120.0;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -256,7 +256,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (60.0 < control2) {
+            if (control2 > 60.0) {
                 all.u[1] = 60.0;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;

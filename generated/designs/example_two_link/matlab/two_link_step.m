@@ -22,7 +22,7 @@ x1 = x(1);
 x2 = x(2);
 x3 = x(3);
 x4 = x(4);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3) && isfinite(x4))
+if ~(isfinite(t) && (t >= self.t0) && isfinite(x1) && isfinite(x2) && isfinite(x3) && isfinite(x4))
     status = int32(-2);
     return;
 end
@@ -53,7 +53,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if 120.0 < control1
+    if control1 > 120.0
         u(1) = 120.0;
         axes(1) = int32(2);
         status = int32(2);
@@ -62,7 +62,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if 60.0 < control2
+    if control2 > 60.0
         u(2) = 60.0;
         axes(2) = int32(2);
         status = int32(2);

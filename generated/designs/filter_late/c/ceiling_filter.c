@@ -32,12 +32,23 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define CEILING_FILTER_S1_1 (-0.5f) /* -1/2, weight of x1 in the law */
+#define CEILING_FILTER_S1_2 (-0.0025f) /* -1/400, weight of x2 in the law */
+#define CEILING_FILTER_S1_3 2.0833334e-6f /* 1/480000, weight of x3 in the law */
+#define CEILING_FILTER_S1_5 (-6.25e-8f) /* -1/16000000, weight of u2 in the law */
+#define CEILING_FILTER_S2_2 (-0.5f) /* -1/2, weight of x2 in the law */
+#define CEILING_FILTER_S2_3 (-0.005f) /* -1/200, weight of x3 in the law */
+#define CEILING_FILTER_S2_5 3.75e-5f /* 3/80000, weight of u2 in the law */
+#define CEILING_FILTER_S3_3 (-0.5f) /* -1/2, weight of x3 in the law */
+#define CEILING_FILTER_S3_4 0.01f /* 1/100, weight of u1 in the law */
+#define CEILING_FILTER_S3_5 0.005f /* 1/200, weight of u2 in the law */
 ptc_status ceiling_filter_init(ceiling_filter *self, const ceiling_filter_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if (0.0f < params->u_max) {
+        if (params->u_max > 0.0f) {
             const float u_max = params->u_max;
             self->start = 0U;
             self->u1 = 0.0f;
@@ -80,11 +91,12 @@ ptc_status ceiling_filter_step(
             const float x1 = x[0];
             const float x2 = x[1];
             const float x3 = x[2];
-            const float s1 = (((-0.5f) * x1) - (0.0025f * x2)) + (2.0833334e-6f * x3);
-            const float z1 = s1 - (6.25e-8f * (self->u2 - 0.25f));
-            const float z2 = (((-0.5f) * x2) - (0.005f * x3)) + (3.75e-5f * (self->u2 - 0.25f));
-            const float s2 = ((-0.5f) * x3) + (0.01f * (self->u1 - 0.25f));
-            const float z3 = s2 + (0.005f * (self->u2 - 0.25f));
+            const float s1 = (CEILING_FILTER_S1_1 * x1) + (CEILING_FILTER_S1_2 * x2) + (CEILING_FILTER_S1_3 * x3);
+            const float z1 = s1 + (CEILING_FILTER_S1_5 * (self->u2 - 0.25f));
+            const float s2 = (CEILING_FILTER_S2_2 * x2) + (CEILING_FILTER_S2_3 * x3);
+            const float z2 = s2 + (CEILING_FILTER_S2_5 * (self->u2 - 0.25f));
+            const float s3 = (CEILING_FILTER_S3_3 * x3) + (CEILING_FILTER_S3_4 * (self->u1 - 0.25f));
+            const float z3 = s3 + (CEILING_FILTER_S3_5 * (self->u2 - 0.25f));
 
             /* The limits of u that keep a safe state safe. */
             const float q1_1 = z2 + (2.9554467f * z1);
@@ -93,7 +105,7 @@ ptc_status ceiling_filter_step(
             float low1 = (-55.1596f) - q1_3;
             uint32_t since = self->start;
             uint32_t safe = 1U;
-            if ((-0.5005f <= z1) && (-1.4792011f <= q1_1) && (-7.2141485f <= q1_2)) {
+            if ((z1 >= -0.5005f) && (q1_1 >= -1.4792011f) && (q1_2 >= -7.2141485f)) {
                 since = k;
             } else {
                 safe = 0U;
@@ -101,8 +113,8 @@ ptc_status ceiling_filter_step(
                 /* Outside: u is held to the law of return too. */
                 const float left = (float)(((k - since) < 98U) ? (98U - (k - since)) : 0U);
                 const float t1 = (left < 3.0f) ? 3.0f : left;
-                const float s3 = ((((-120000000.0f) * z1) / (t1 + 3.0f)) - (600000.0f * z2)) / (t1 + 2.0f);
-                const float law1 = ((s3 - (1200.0f * z3)) / (t1 + 1.0f)) + 0.25f;
+                const float s4 = ((((-120000000.0f) * z1) / (t1 + 3.0f)) - (600000.0f * z2)) / (t1 + 2.0f);
+                const float law1 = ((s4 - (1200.0f * z3)) / (t1 + 1.0f)) + 0.25f;
                 const float weight1 = (((-120000000.0f) / (t1 + 3.0f)) / (t1 + 2.0f)) / (t1 + 1.0f);
                 const float low1_back = law1 - ((-0.5f) * weight1);
                 if (low1 < low1_back) {
@@ -115,7 +127,7 @@ ptc_status ceiling_filter_step(
             if (u_now < low1) {
                 u_now = low1;
             }
-            if (self->u_max < u_now) {
+            if (u_now > self->u_max) {
                 u_now = self->u_max;
             }
             if (u_now < -self->u_max) {

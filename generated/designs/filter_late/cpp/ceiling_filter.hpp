@@ -40,8 +40,8 @@
  *   loop: not checked: `u_max` is left to run time.
  *   envelope: not checked: a filter has no law.
  */
-#ifndef CEILING_FILTER_90CEDFC0_HPP
-#define CEILING_FILTER_90CEDFC0_HPP
+#ifndef CEILING_FILTER_3249C3F4_HPP
+#define CEILING_FILTER_3249C3F4_HPP
 
 #include <array>
 #include <cfloat>
@@ -114,7 +114,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!(0.0f < params.u_max)) {
+        if (!(params.u_max > 0.0f)) {
             return Status::Param;
         }
         const float u_max = params.u_max;
@@ -143,11 +143,12 @@ public:
         const float x1 = x[0];
         const float x2 = x[1];
         const float x3 = x[2];
-        const float s1 = (((-0.5f) * x1) - (0.0025f * x2)) + (2.0833334e-6f * x3);
-        const float z1 = s1 - (6.25e-8f * (u2_ - 0.25f));
-        const float z2 = (((-0.5f) * x2) - (0.005f * x3)) + (3.75e-5f * (u2_ - 0.25f));
-        const float s2 = ((-0.5f) * x3) + (0.01f * (u1_ - 0.25f));
-        const float z3 = s2 + (0.005f * (u2_ - 0.25f));
+        const float s1 = (s1_1_ * x1) + (s1_2_ * x2) + (s1_3_ * x3);
+        const float z1 = s1 + (s1_5_ * (u2_ - 0.25f));
+        const float s2 = (s2_2_ * x2) + (s2_3_ * x3);
+        const float z2 = s2 + (s2_5_ * (u2_ - 0.25f));
+        const float s3 = (s3_3_ * x3) + (s3_4_ * (u1_ - 0.25f));
+        const float z3 = s3 + (s3_5_ * (u2_ - 0.25f));
 
         // The limits of u that keep a safe state safe.
         const float q1_1 = z2 + (2.9554467f * z1);
@@ -156,7 +157,7 @@ public:
         float low1 = (-55.1596f) - q1_3;
         std::uint32_t since = start_;
         std::uint32_t safe = 1U;
-        if ((-0.5005f <= z1) && (-1.4792011f <= q1_1) && (-7.2141485f <= q1_2)) {
+        if ((z1 >= -0.5005f) && (q1_1 >= -1.4792011f) && (q1_2 >= -7.2141485f)) {
             since = k;
         } else {
             safe = 0U;
@@ -164,8 +165,8 @@ public:
             // Outside: u is held to the law of return too.
             const float left = static_cast<float>(((k - since) < 98U) ? (98U - (k - since)) : 0U);
             const float t1 = (left < 3.0f) ? 3.0f : left;
-            const float s3 = ((((-120000000.0f) * z1) / (t1 + 3.0f)) - (600000.0f * z2)) / (t1 + 2.0f);
-            const float law1 = ((s3 - (1200.0f * z3)) / (t1 + 1.0f)) + 0.25f;
+            const float s4 = ((((-120000000.0f) * z1) / (t1 + 3.0f)) - (600000.0f * z2)) / (t1 + 2.0f);
+            const float law1 = ((s4 - (1200.0f * z3)) / (t1 + 1.0f)) + 0.25f;
             const float weight1 = (((-120000000.0f) / (t1 + 3.0f)) / (t1 + 2.0f)) / (t1 + 1.0f);
             const float low1_back = law1 - ((-0.5f) * weight1);
             if (low1 < low1_back) {
@@ -178,7 +179,7 @@ public:
         if (u_now < low1) {
             u_now = low1;
         }
-        if (u_max_ < u_now) {
+        if (u_now > u_max_) {
             u_now = u_max_;
         }
         if (u_now < -u_max_) {
@@ -205,6 +206,26 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// -1/2, weight of x1 in the law.
+    static constexpr float s1_1_{-0.5f};
+    /// -1/400, weight of x2 in the law.
+    static constexpr float s1_2_{-0.0025f};
+    /// 1/480000, weight of x3 in the law.
+    static constexpr float s1_3_{2.0833334e-6f};
+    /// -1/16000000, weight of u2 in the law.
+    static constexpr float s1_5_{-6.25e-8f};
+    /// -1/2, weight of x2 in the law.
+    static constexpr float s2_2_{-0.5f};
+    /// -1/200, weight of x3 in the law.
+    static constexpr float s2_3_{-0.005f};
+    /// 3/80000, weight of u2 in the law.
+    static constexpr float s2_5_{3.75e-5f};
+    /// -1/2, weight of x3 in the law.
+    static constexpr float s3_3_{-0.5f};
+    /// 1/100, weight of u1 in the law.
+    static constexpr float s3_4_{0.01f};
+    /// 1/200, weight of u2 in the law.
+    static constexpr float s3_5_{0.005f};
 
     std::uint32_t start_{}; // tick of the last safe sample, or of `arm`
     float u1_{}; // input of the last sample

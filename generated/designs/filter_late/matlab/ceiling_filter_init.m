@@ -50,7 +50,7 @@ function self = ceiling_filter_init(params) %#codegen
 %   envelope: not checked: a filter has no law.
 
 given.u_max = single(params.u_max);
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('ceiling_filter:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 u_max = given.u_max;

@@ -15,6 +15,16 @@ function [u, status, self] = ceiling_filter_step(self, k, x, u_nominal) %#codege
 %     -3  u not finite
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
+s1_1 = -single(0.5); % -1/2, weight of x1 in the law
+s1_2 = -single(0.0024999999441206455); % -1/400, weight of x2 in the law
+s1_3 = single(2.0833333564951317e-6); % 1/480000, weight of x3 in the law
+s1_5 = -single(6.249999984220267e-8); % -1/16000000, weight of u2 in the law
+s2_2 = -single(0.5); % -1/2, weight of x2 in the law
+s2_3 = -single(0.004999999888241291); % -1/200, weight of x3 in the law
+s2_5 = single(3.7500001781154424e-5); % 3/80000, weight of u2 in the law
+s3_3 = -single(0.5); % -1/2, weight of x3 in the law
+s3_4 = single(0.009999999776482582); % 1/100, weight of u1 in the law
+s3_5 = single(0.004999999888241291); % 1/200, weight of u2 in the law
 u = single(0.0);
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -31,11 +41,12 @@ end
 x1 = x(1);
 x2 = x(2);
 x3 = x(3);
-s1 = (((-single(0.5)) * x1) - (single(0.0024999999441206455) * x2)) + (single(2.0833333564951317e-6) * x3);
-z1 = s1 - (single(6.249999984220267e-8) * (self.u2 - single(0.25)));
-z2 = (((-single(0.5)) * x2) - (single(0.004999999888241291) * x3)) + (single(3.7500001781154424e-5) * (self.u2 - single(0.25)));
-s2 = ((-single(0.5)) * x3) + (single(0.009999999776482582) * (self.u1 - single(0.25)));
-z3 = s2 + (single(0.004999999888241291) * (self.u2 - single(0.25)));
+s1 = (s1_1 * x1) + (s1_2 * x2) + (s1_3 * x3);
+z1 = s1 + (s1_5 * (self.u2 - single(0.25)));
+s2 = (s2_2 * x2) + (s2_3 * x3);
+z2 = s2 + (s2_5 * (self.u2 - single(0.25)));
+s3 = (s3_3 * x3) + (s3_4 * (self.u1 - single(0.25)));
+z3 = s3 + (s3_5 * (self.u2 - single(0.25)));
 
 % The limits of u that keep a safe state safe.
 q1_1 = z2 + (single(2.955446720123291) * z1);
@@ -44,9 +55,9 @@ q1_3 = (single(15.520869255065918) * z3) + (single(74.6330337524414) * z2) + (si
 low1 = (-single(55.15959930419922)) - q1_3;
 since = self.start;
 safe = uint32(1);
-if (-single(0.5005000233650208) <= z1) ...
-    && (-single(1.479201078414917) <= q1_1) ...
-    && (-single(7.21414852142334) <= q1_2)
+if (z1 >= -single(0.5005000233650208)) ...
+    && (q1_1 >= -single(1.479201078414917)) ...
+    && (q1_2 >= -single(7.21414852142334))
     since = k;
 else
     safe = uint32(0);
@@ -54,8 +65,8 @@ else
     % Outside: u is held to the law of return too.
     left = single(uint32(98) - uint32(mod(double(k) - double(since), 4294967296)));
     t1 = pick(left < single(3.0), single(3.0), left);
-    s3 = ((((-single(120000000.0)) * z1) / (t1 + single(3.0))) - (single(600000.0) * z2)) / (t1 + single(2.0));
-    law1 = ((s3 - (single(1200.0) * z3)) / (t1 + single(1.0))) + single(0.25);
+    s4 = ((((-single(120000000.0)) * z1) / (t1 + single(3.0))) - (single(600000.0) * z2)) / (t1 + single(2.0));
+    law1 = ((s4 - (single(1200.0) * z3)) / (t1 + single(1.0))) + single(0.25);
     weight1 = (((-single(120000000.0)) / (t1 + single(3.0))) / (t1 + single(2.0))) / (t1 + single(1.0));
     low1_back = law1 - ((-single(0.5)) * weight1);
     if low1 < low1_back
@@ -68,7 +79,7 @@ u_now = u_nominal;
 if u_now < low1
     u_now = low1;
 end
-if self.u_max < u_now
+if u_now > self.u_max
     u_now = self.u_max;
 end
 if u_now < -self.u_max

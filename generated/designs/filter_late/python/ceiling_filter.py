@@ -102,6 +102,27 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# -1/2, weight of x1 in the law.
+_S1_1 = _R(-_R(0.5))
+# -1/400, weight of x2 in the law.
+_S1_2 = _R(-_R(0.0024999999441206455))
+# 1/480000, weight of x3 in the law.
+_S1_3 = _R(_R(2.0833333564951317e-6))
+# -1/16000000, weight of u2 in the law.
+_S1_5 = _R(-_R(6.249999984220267e-8))
+# -1/2, weight of x2 in the law.
+_S2_2 = _R(-_R(0.5))
+# -1/200, weight of x3 in the law.
+_S2_3 = _R(-_R(0.004999999888241291))
+# 3/80000, weight of u2 in the law.
+_S2_5 = _R(_R(3.7500001781154424e-5))
+# -1/2, weight of x3 in the law.
+_S3_3 = _R(-_R(0.5))
+# 1/100, weight of u1 in the law.
+_S3_4 = _R(_R(0.009999999776482582))
+# 1/200, weight of u2 in the law.
+_S3_5 = _R(_R(0.004999999888241291))
+
 class CeilingFilter:
     """The filter. Takes the parameters and arms at tick 0.
 
@@ -111,7 +132,7 @@ class CeilingFilter:
     def __init__(self, params: Params) -> None:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             u_max = given_u_max
             self._start = 0
@@ -148,11 +169,12 @@ class CeilingFilter:
             x1 = x[0]
             x2 = x[1]
             x3 = x[2]
-            s1 = (((-_R(0.5)) * x1) - (_R(0.0024999999441206455) * x2)) + (_R(2.0833333564951317e-6) * x3)
-            z1 = s1 - (_R(6.249999984220267e-8) * (self._u2 - _R(0.25)))
-            z2 = (((-_R(0.5)) * x2) - (_R(0.004999999888241291) * x3)) + (_R(3.7500001781154424e-5) * (self._u2 - _R(0.25)))
-            s2 = ((-_R(0.5)) * x3) + (_R(0.009999999776482582) * (self._u1 - _R(0.25)))
-            z3 = s2 + (_R(0.004999999888241291) * (self._u2 - _R(0.25)))
+            s1 = (_S1_1 * x1) + (_S1_2 * x2) + (_S1_3 * x3)
+            z1 = s1 + (_S1_5 * (self._u2 - _R(0.25)))
+            s2 = (_S2_2 * x2) + (_S2_3 * x3)
+            z2 = s2 + (_S2_5 * (self._u2 - _R(0.25)))
+            s3 = (_S3_3 * x3) + (_S3_4 * (self._u1 - _R(0.25)))
+            z3 = s3 + (_S3_5 * (self._u2 - _R(0.25)))
 
             # The limits of u that keep a safe state safe.
             q1_1 = z2 + (_R(2.955446720123291) * z1)
@@ -162,9 +184,9 @@ class CeilingFilter:
             since = np.asarray(self._start)
             safe = np.asarray(1)
             if (
-                (-_R(0.5005000233650208) <= z1)
-                and (-_R(1.479201078414917) <= q1_1)
-                and (-_R(7.21414852142334) <= q1_2)
+                (z1 >= -_R(0.5005000233650208))
+                and (q1_1 >= -_R(1.479201078414917))
+                and (q1_2 >= -_R(7.21414852142334))
             ):
                 since = k
             else:
@@ -173,8 +195,8 @@ class CeilingFilter:
                 # Outside: u is held to the law of return too.
                 left = _R(max(98 - ((k - since) & _WRAP), 0))
                 t1 = max(left, _R(3.0))
-                s3 = ((((-_R(120000000.0)) * z1) / (t1 + _R(3.0))) - (_R(600000.0) * z2)) / (t1 + _R(2.0))
-                law1 = ((s3 - (_R(1200.0) * z3)) / (t1 + _R(1.0))) + _R(0.25)
+                s4 = ((((-_R(120000000.0)) * z1) / (t1 + _R(3.0))) - (_R(600000.0) * z2)) / (t1 + _R(2.0))
+                law1 = ((s4 - (_R(1200.0) * z3)) / (t1 + _R(1.0))) + _R(0.25)
                 weight1 = (((-_R(120000000.0)) / (t1 + _R(3.0))) / (t1 + _R(2.0))) / (t1 + _R(1.0))
                 low1_back = law1 - ((-_R(0.5)) * weight1)
                 if low1 < low1_back:
@@ -184,7 +206,7 @@ class CeilingFilter:
             u_now = np.asarray(u_nominal)
             if u_now < low1:
                 u_now = low1
-            if self._u_max < u_now:
+            if u_now > self._u_max:
                 u_now = self._u_max
             if u_now < -self._u_max:
                 u_now = -self._u_max

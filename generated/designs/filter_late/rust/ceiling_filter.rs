@@ -145,12 +145,33 @@ pub struct CeilingFilter {
     clippy::nursery
 )]
 impl CeilingFilter {
+    /// -1/2, weight of x1 in the law.
+    const S1_1: f32 = -0.5;
+    /// -1/400, weight of x2 in the law.
+    const S1_2: f32 = -0.0025;
+    /// 1/480000, weight of x3 in the law.
+    const S1_3: f32 = 2.0833334e-6;
+    /// -1/16000000, weight of u2 in the law.
+    const S1_5: f32 = -6.25e-8;
+    /// -1/2, weight of x2 in the law.
+    const S2_2: f32 = -0.5;
+    /// -1/200, weight of x3 in the law.
+    const S2_3: f32 = -0.005;
+    /// 3/80000, weight of u2 in the law.
+    const S2_5: f32 = 3.75e-5;
+    /// -1/2, weight of x3 in the law.
+    const S3_3: f32 = -0.5;
+    /// 1/100, weight of u1 in the law.
+    const S3_4: f32 = 0.01;
+    /// 1/200, weight of u2 in the law.
+    const S3_5: f32 = 0.005;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: CeilingFilterParams) -> Result<Self, Error> {
-        if !(0.0 < params.u_max) {
+        if !(params.u_max > 0.0) {
             return Err(Error::Param);
         }
         let u_max = params.u_max;
@@ -182,11 +203,12 @@ impl CeilingFilter {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        let s1 = (((-0.5) * x1) - (0.0025 * x2)) + (2.0833334e-6 * x3);
-        let z1 = s1 - (6.25e-8 * (self.u2 - 0.25));
-        let z2 = (((-0.5) * x2) - (0.005 * x3)) + (3.75e-5 * (self.u2 - 0.25));
-        let s2 = ((-0.5) * x3) + (0.01 * (self.u1 - 0.25));
-        let z3 = s2 + (0.005 * (self.u2 - 0.25));
+        let s1 = (Self::S1_1 * x1) + (Self::S1_2 * x2) + (Self::S1_3 * x3);
+        let z1 = s1 + (Self::S1_5 * (self.u2 - 0.25));
+        let s2 = (Self::S2_2 * x2) + (Self::S2_3 * x3);
+        let z2 = s2 + (Self::S2_5 * (self.u2 - 0.25));
+        let s3 = (Self::S3_3 * x3) + (Self::S3_4 * (self.u1 - 0.25));
+        let z3 = s3 + (Self::S3_5 * (self.u2 - 0.25));
 
         // The limits of u that keep a safe state safe.
         let q1_1 = z2 + (2.9554467 * z1);
@@ -195,7 +217,7 @@ impl CeilingFilter {
         let mut low1 = (-55.1596) - q1_3;
         let mut since = self.start;
         let mut safe = 1_u32;
-        if (-0.5005 <= z1) && (-1.4792011 <= q1_1) && (-7.2141485 <= q1_2) {
+        if (z1 >= -0.5005) && (q1_1 >= -1.4792011) && (q1_2 >= -7.2141485) {
             since = k;
         } else {
             safe = 0;
@@ -203,8 +225,8 @@ impl CeilingFilter {
             // Outside: u is held to the law of return too.
             let left = 98_u32.saturating_sub(k.wrapping_sub(since)) as f32;
             let t1 = if left < 3.0 { 3.0 } else { left };
-            let s3 = ((((-120000000.0) * z1) / (t1 + 3.0)) - (600000.0 * z2)) / (t1 + 2.0);
-            let law1 = ((s3 - (1200.0 * z3)) / (t1 + 1.0)) + 0.25;
+            let s4 = ((((-120000000.0) * z1) / (t1 + 3.0)) - (600000.0 * z2)) / (t1 + 2.0);
+            let law1 = ((s4 - (1200.0 * z3)) / (t1 + 1.0)) + 0.25;
             let weight1 = (((-120000000.0) / (t1 + 3.0)) / (t1 + 2.0)) / (t1 + 1.0);
             let low1_back = law1 - ((-0.5) * weight1);
             if low1 < low1_back {
@@ -217,7 +239,7 @@ impl CeilingFilter {
         if u_now < low1 {
             u_now = low1;
         }
-        if self.u_max < u_now {
+        if u_now > self.u_max {
             u_now = self.u_max;
         }
         if u_now < -self.u_max {

@@ -32,6 +32,9 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STOP_FILTER_S1_2 (-0.0005) /* -1/2000, weight of x2 in the law */
+#define STOP_FILTER_U_MAX 10.0 /* bound of |u| */
 ptc_status stop_filter_init(stop_filter *self, const stop_filter_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -71,7 +74,7 @@ ptc_status stop_filter_step(
         if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1]) && PTC_FINITE_F64(u_nominal)) {
             const double x1 = x[0];
             const double x2 = x[1];
-            const double z1 = x1 - (0.0005 * x2);
+            const double z1 = x1 + (STOP_FILTER_S1_2 * x2);
             const double z2 = x2;
 
             /* The limits of u that keep a safe state safe. */
@@ -134,11 +137,11 @@ ptc_status stop_filter_step(
             if (high1 < u_now) {
                 u_now = high1;
             }
-            if (10.0 < u_now) {
-                u_now = 10.0;
+            if (u_now > STOP_FILTER_U_MAX) {
+                u_now = STOP_FILTER_U_MAX;
             }
-            if (u_now < -10.0) {
-                u_now = -10.0;
+            if (u_now < -STOP_FILTER_U_MAX) {
+                u_now = -STOP_FILTER_U_MAX;
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(u_now)

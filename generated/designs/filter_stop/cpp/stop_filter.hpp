@@ -42,8 +42,8 @@
  *       limit is in the way.
  *   envelope: not checked: a filter has no law.
  */
-#ifndef STOP_FILTER_5CF67912_HPP
-#define STOP_FILTER_5CF67912_HPP
+#ifndef STOP_FILTER_7A1582FE_HPP
+#define STOP_FILTER_7A1582FE_HPP
 
 #include <array>
 #include <cfloat>
@@ -135,7 +135,7 @@ public:
         }
         const double x1 = x[0];
         const double x2 = x[1];
-        const double z1 = x1 - (0.0005 * x2);
+        const double z1 = x1 + (s1_2_ * x2);
         const double z2 = x2;
 
         // The limits of u that keep a safe state safe.
@@ -198,11 +198,11 @@ public:
         if (high1 < u_now) {
             u_now = high1;
         }
-        if (10.0 < u_now) {
-            u_now = 10.0;
+        if (u_now > u_max_) {
+            u_now = u_max_;
         }
-        if (u_now < -10.0) {
-            u_now = -10.0;
+        if (u_now < -u_max_) {
+            u_now = -u_max_;
         }
         if (!(finite(u_now) && finite(low1) && finite(high1) && finite(low2) && finite(high2))) {
             return {0.0, Status::Range};
@@ -223,6 +223,10 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// -1/2000, weight of x2 in the law.
+    static constexpr double s1_2_{-0.0005};
+    /// Bound of |u|.
+    static constexpr double u_max_{10.0};
 
     std::uint32_t start_{}; // tick of the last safe sample, or of `arm`
 };

@@ -15,6 +15,8 @@ function [u, status, self] = stop_filter_step(self, k, x, u_nominal) %#codegen
 %     -3  u not finite
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
+s1_2 = -0.0005; % -1/2000, weight of x2 in the law
+u_max = 10.0; % bound of |u|
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -30,7 +32,7 @@ if ~(isfinite(x(1)) && isfinite(x(2)) && isfinite(u_nominal))
 end
 x1 = x(1);
 x2 = x(2);
-z1 = x1 - (0.0005 * x2);
+z1 = x1 + (s1_2 * x2);
 z2 = x2;
 
 % The limits of u that keep a safe state safe.
@@ -93,11 +95,11 @@ end
 if high1 < u_now
     u_now = high1;
 end
-if 10.0 < u_now
-    u_now = 10.0;
+if u_now > u_max
+    u_now = u_max;
 end
-if u_now < -10.0
-    u_now = -10.0;
+if u_now < -u_max
+    u_now = -u_max;
 end
 if ~(isfinite(u_now) && isfinite(low1) && isfinite(high1) && isfinite(low2) && isfinite(high2))
     status = int32(-3);

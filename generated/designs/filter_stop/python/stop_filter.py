@@ -101,6 +101,11 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# -1/2000, weight of x2 in the law.
+_S1_2 = _R(-0.0005)
+# Bound of |u|.
+_U_MAX = _R(10.0)
+
 class StopFilter:
     """The filter. Takes the parameters and arms at tick 0.
 
@@ -130,7 +135,7 @@ class StopFilter:
                 return Control(_R(0.0), Status.INPUT)
             x1 = x[0]
             x2 = x[1]
-            z1 = x1 - (0.0005 * x2)
+            z1 = x1 + (_S1_2 * x2)
             z2 = x2
 
             # The limits of u that keep a safe state safe.
@@ -183,10 +188,10 @@ class StopFilter:
                 u_now = low1
             if high1 < u_now:
                 u_now = high1
-            if 10.0 < u_now:
-                u_now = _R(10.0)
-            if u_now < -10.0:
-                u_now = _R(-10.0)
+            if u_now > _U_MAX:
+                u_now = _U_MAX
+            if u_now < -_U_MAX:
+                u_now = -_U_MAX
             if not (
                 np.isfinite(u_now)
                 and np.isfinite(low1)

@@ -138,6 +138,11 @@ pub struct StopFilter {
     clippy::nursery
 )]
 impl StopFilter {
+    /// -1/2000, weight of x2 in the law.
+    const S1_2: f64 = -0.0005;
+    /// Bound of |u|.
+    const U_MAX: f64 = 10.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -164,7 +169,7 @@ impl StopFilter {
         }
         let x1 = x[0];
         let x2 = x[1];
-        let z1 = x1 - (0.0005 * x2);
+        let z1 = x1 + (Self::S1_2 * x2);
         let z2 = x2;
 
         // The limits of u that keep a safe state safe.
@@ -228,11 +233,11 @@ impl StopFilter {
         if high1 < u_now {
             u_now = high1;
         }
-        if 10.0 < u_now {
-            u_now = 10.0;
+        if u_now > Self::U_MAX {
+            u_now = Self::U_MAX;
         }
-        if u_now < -10.0 {
-            u_now = -10.0;
+        if u_now < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         }
         if !(u_now.is_finite()
             && low1.is_finite()

@@ -33,6 +33,31 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define TABLE_TOO_SOON_W1_1_1 (-60000000.0) /* weight of x1 in the law */
+#define TABLE_TOO_SOON_W1_2_1 600000.0 /* weight of x2 in the law */
+#define TABLE_TOO_SOON_W1_3_1 (-2000.0) /* weight of x3 in the law */
+#define TABLE_TOO_SOON_W2_2_1 (-360000.0) /* weight of x2 in the law */
+#define TABLE_TOO_SOON_W2_3_1 1800.0 /* weight of x3 in the law */
+#define TABLE_TOO_SOON_W3_3_1 (-900.0) /* weight of x3 in the law */
+#define TABLE_TOO_SOON_W1_1_2 (-120000000.0) /* weight of x1 in the law */
+#define TABLE_TOO_SOON_W1_2_2 1200000.0 /* weight of x2 in the law */
+#define TABLE_TOO_SOON_W1_3_2 (-4000.0) /* weight of x3 in the law */
+#define TABLE_TOO_SOON_W2_2_2 (-600000.0) /* weight of x2 in the law */
+#define TABLE_TOO_SOON_W2_3_2 3000.0 /* weight of x3 in the law */
+#define TABLE_TOO_SOON_W3_3_2 (-1200.0) /* weight of x3 in the law */
+#define TABLE_TOO_SOON_S1_1_1 1000000.0 /* weight of x1 in the law */
+#define TABLE_TOO_SOON_S1_2_1 (-10000.0) /* weight of x2 in the law */
+#define TABLE_TOO_SOON_S1_3_1 33.333333333333336 /* 100/3, weight of x3 in the law */
+#define TABLE_TOO_SOON_S2_2_1 10000.0 /* weight of x2 in the law */
+#define TABLE_TOO_SOON_S2_3_1 (-50.0) /* weight of x3 in the law */
+#define TABLE_TOO_SOON_S3_3_1 100.0 /* weight of x3 in the law */
+#define TABLE_TOO_SOON_S1_1_2 1000000.0 /* weight of x1 in the law */
+#define TABLE_TOO_SOON_S1_2_2 (-10000.0) /* weight of x2 in the law */
+#define TABLE_TOO_SOON_S1_3_2 33.333333333333336 /* 100/3, weight of x3 in the law */
+#define TABLE_TOO_SOON_S2_2_2 10000.0 /* weight of x2 in the law */
+#define TABLE_TOO_SOON_S2_3_2 (-50.0) /* weight of x3 in the law */
+#define TABLE_TOO_SOON_S3_3_2 100.0 /* weight of x3 in the law */
 ptc_status table_too_soon_init(table_too_soon *self, const table_too_soon_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -91,17 +116,23 @@ ptc_status table_too_soon_step(
             double law_1;
 
             /* The exact law in samples. */
-            const double z1_1 = (((-60000000.0) * x1_1) + (600000.0 * x2_1)) - (2000.0 * x3_1);
-            const double z2_1 = ((-360000.0) * x2_1) + (1800.0 * x3_1);
-            const double z3_1 = (-900.0) * x3_1;
-            law_1 = ((((z1_1 / (m0_1 + 2.0)) + z2_1) / (m0_1 + 1.0)) + z3_1) / m0_1;
+            const double s1 = (TABLE_TOO_SOON_W1_1_1 * x1_1) + (TABLE_TOO_SOON_W1_2_1 * x2_1);
+            const double z1_1 = s1 + (TABLE_TOO_SOON_W1_3_1 * x3_1);
+            const double z2_1 = (TABLE_TOO_SOON_W2_2_1 * x2_1) + (TABLE_TOO_SOON_W2_3_1 * x3_1);
+            const double z3_1 = TABLE_TOO_SOON_W3_3_1 * x3_1;
+            const double m0f_11 = m0_1 + 2.0;
+            const double m0f_12 = m0f_11 * (m0_1 + 1.0);
+            law_1 = (z1_1 + (z2_1 * m0f_11) + (z3_1 * m0f_12)) / (m0f_12 * m0_1);
             const double m0_2 = ((double)left < 3.0) ? 3.0 : (double)left;
             double law_2;
-            const double z1_2 = (((-120000000.0) * x1_2) + (1200000.0 * x2_2)) - (4000.0 * x3_2);
-            const double z2_2 = ((-600000.0) * x2_2) + (3000.0 * x3_2);
-            const double z3_2 = (-1200.0) * x3_2;
-            const double s1 = (((z1_2 / (m0_2 + 3.0)) + z2_2) / (m0_2 + 2.0)) + z3_2;
-            law_2 = s1 / (m0_2 + 1.0);
+            const double s2 = (TABLE_TOO_SOON_W1_1_2 * x1_2) + (TABLE_TOO_SOON_W1_2_2 * x2_2);
+            const double z1_2 = s2 + (TABLE_TOO_SOON_W1_3_2 * x3_2);
+            const double z2_2 = (TABLE_TOO_SOON_W2_2_2 * x2_2) + (TABLE_TOO_SOON_W2_3_2 * x3_2);
+            const double z3_2 = TABLE_TOO_SOON_W3_3_2 * x3_2;
+            const double m0f_21 = m0_2 + 3.0;
+            const double m0f_22 = m0f_21 * (m0_2 + 2.0);
+            const double s3 = z1_2 + (z2_2 * m0f_21) + (z3_2 * m0f_22);
+            law_2 = s3 / (m0f_22 * (m0_2 + 1.0));
             if (elapsed < self->last) {
                 status = PTC_OK;
             } else {
@@ -112,7 +143,7 @@ ptc_status table_too_soon_step(
                 axes[0] = status;
                 u[1] = law_2;
                 axes[1] = status;
-                if (self->u_max < law_1) {
+                if (law_1 > self->u_max) {
                     u[0] = self->u_max;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -123,7 +154,7 @@ ptc_status table_too_soon_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < law_2) {
+                if (law_2 > self->u_max) {
                     u[1] = self->u_max;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -179,7 +210,7 @@ ptc_status table_too_soon_arm_for(
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (x != NULL)) {
-        if ((2U < samples) && (samples < 2147483649U)) {
+        if ((samples > 2U) && (samples < 2147483649U)) {
             status = PTC_E_INPUT;
             if (PTC_FINITE_F64(x[0][0])
                 && PTC_FINITE_F64(x[0][1])
@@ -193,14 +224,14 @@ ptc_status table_too_soon_arm_for(
                 const double x1_2 = x[1][0];
                 const double x2_2 = x[1][1];
                 const double x3_2 = x[1][2];
-                const double s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-                const double flat1_1 = s1 + (33.333333333333336 * x3_1);
-                const double flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-                const double flat3_1 = 100.0 * x3_1;
-                const double s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-                const double flat1_2 = s2 + (33.333333333333336 * x3_2);
-                const double flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-                const double flat3_2 = 100.0 * x3_2;
+                const double s1 = (TABLE_TOO_SOON_S1_1_1 * x1_1) + (TABLE_TOO_SOON_S1_2_1 * x2_1);
+                const double flat1_1 = s1 + (TABLE_TOO_SOON_S1_3_1 * x3_1);
+                const double flat2_1 = (TABLE_TOO_SOON_S2_2_1 * x2_1) + (TABLE_TOO_SOON_S2_3_1 * x3_1);
+                const double flat3_1 = TABLE_TOO_SOON_S3_3_1 * x3_1;
+                const double s2 = (TABLE_TOO_SOON_S1_1_2 * x1_2) + (TABLE_TOO_SOON_S1_2_2 * x2_2);
+                const double flat1_2 = s2 + (TABLE_TOO_SOON_S1_3_2 * x3_2);
+                const double flat2_2 = (TABLE_TOO_SOON_S2_2_2 * x2_2) + (TABLE_TOO_SOON_S2_3_2 * x3_2);
+                const double flat3_2 = TABLE_TOO_SOON_S3_3_2 * x3_2;
                 const double least_1 = 0.999999999990586 * self->u_min;
                 const double most_1 = 0.999999999990586 * self->u_max;
                 const double most2_1 = 0.499999999995293;
@@ -558,7 +589,7 @@ ptc_status table_too_soon_arm_for(
                     }
                 }
                 status = PTC_E_SOON;
-                if ((3U < tried) && (tried < 1073741825U) && (fits == 2U)) {
+                if ((tried > 3U) && (tried < 1073741825U) && (fits == 2U)) {
                     self->start = k;
                     self->last = samples;
                     status = PTC_OK;
@@ -589,14 +620,14 @@ ptc_status table_too_soon_soonest(
             const double x1_2 = x[1][0];
             const double x2_2 = x[1][1];
             const double x3_2 = x[1][2];
-            const double s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-            const double flat1_1 = s1 + (33.333333333333336 * x3_1);
-            const double flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-            const double flat3_1 = 100.0 * x3_1;
-            const double s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-            const double flat1_2 = s2 + (33.333333333333336 * x3_2);
-            const double flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-            const double flat3_2 = 100.0 * x3_2;
+            const double s1 = (TABLE_TOO_SOON_S1_1_1 * x1_1) + (TABLE_TOO_SOON_S1_2_1 * x2_1);
+            const double flat1_1 = s1 + (TABLE_TOO_SOON_S1_3_1 * x3_1);
+            const double flat2_1 = (TABLE_TOO_SOON_S2_2_1 * x2_1) + (TABLE_TOO_SOON_S2_3_1 * x3_1);
+            const double flat3_1 = TABLE_TOO_SOON_S3_3_1 * x3_1;
+            const double s2 = (TABLE_TOO_SOON_S1_1_2 * x1_2) + (TABLE_TOO_SOON_S1_2_2 * x2_2);
+            const double flat1_2 = s2 + (TABLE_TOO_SOON_S1_3_2 * x3_2);
+            const double flat2_2 = (TABLE_TOO_SOON_S2_2_2 * x2_2) + (TABLE_TOO_SOON_S2_3_2 * x3_2);
+            const double flat3_2 = TABLE_TOO_SOON_S3_3_2 * x3_2;
             uint32_t low = 3U;
             uint32_t top = 1073741825U;
             uint32_t kept = 0U;
@@ -980,7 +1011,7 @@ ptc_status table_too_soon_soonest(
                 && PTC_FINITE_F64(flat1_2)
                 && PTC_FINITE_F64(flat2_2)
                 && PTC_FINITE_F64(flat3_2)) {
-                if (0U < kept) {
+                if (kept > 0U) {
                     *samples = kept;
                     status = PTC_OK;
                 } else {

@@ -51,8 +51,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef TABLE_TOO_SOON_0FF81F59_HPP
-#define TABLE_TOO_SOON_0FF81F59_HPP
+#ifndef TABLE_TOO_SOON_44DC5566_HPP
+#define TABLE_TOO_SOON_44DC5566_HPP
 
 #include <array>
 #include <cfloat>
@@ -193,17 +193,23 @@ public:
         double law_1{};
 
         // The exact law in samples.
-        const double z1_1 = (((-60000000.0) * x1_1) + (600000.0 * x2_1)) - (2000.0 * x3_1);
-        const double z2_1 = ((-360000.0) * x2_1) + (1800.0 * x3_1);
-        const double z3_1 = (-900.0) * x3_1;
-        law_1 = ((((z1_1 / (m0_1 + 2.0)) + z2_1) / (m0_1 + 1.0)) + z3_1) / m0_1;
+        const double s1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
+        const double z1_1 = s1 + (w1_3_1_ * x3_1);
+        const double z2_1 = (w2_2_1_ * x2_1) + (w2_3_1_ * x3_1);
+        const double z3_1 = w3_3_1_ * x3_1;
+        const double m0f_11 = m0_1 + 2.0;
+        const double m0f_12 = m0f_11 * (m0_1 + 1.0);
+        law_1 = (z1_1 + (z2_1 * m0f_11) + (z3_1 * m0f_12)) / (m0f_12 * m0_1);
         const double m0_2 = (static_cast<double>(left) < 3.0) ? 3.0 : static_cast<double>(left);
         double law_2{};
-        const double z1_2 = (((-120000000.0) * x1_2) + (1200000.0 * x2_2)) - (4000.0 * x3_2);
-        const double z2_2 = ((-600000.0) * x2_2) + (3000.0 * x3_2);
-        const double z3_2 = (-1200.0) * x3_2;
-        const double s1 = (((z1_2 / (m0_2 + 3.0)) + z2_2) / (m0_2 + 2.0)) + z3_2;
-        law_2 = s1 / (m0_2 + 1.0);
+        const double s2 = (w1_1_2_ * x1_2) + (w1_2_2_ * x2_2);
+        const double z1_2 = s2 + (w1_3_2_ * x3_2);
+        const double z2_2 = (w2_2_2_ * x2_2) + (w2_3_2_ * x3_2);
+        const double z3_2 = w3_3_2_ * x3_2;
+        const double m0f_21 = m0_2 + 3.0;
+        const double m0f_22 = m0f_21 * (m0_2 + 2.0);
+        const double s3 = z1_2 + (z2_2 * m0f_21) + (z3_2 * m0f_22);
+        law_2 = s3 / (m0f_22 * (m0_2 + 1.0));
         if (elapsed < last_) {
             all.status = Status::Ok;
         } else {
@@ -214,7 +220,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = law_2;
             all.axes[1] = all.status;
-            if (u_max_ < law_1) {
+            if (law_1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -223,7 +229,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < law_2) {
+            if (law_2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -256,7 +262,7 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm_for(std::uint32_t k, std::uint32_t samples, const std::array<std::array<double, 3>, 2>& x) noexcept
     {
-        if (!((2U < samples) && (samples < 2147483649U))) {
+        if (!((samples > 2U) && (samples < 2147483649U))) {
             return Status::Param;
         }
         if (!(finite(x[0][0])
@@ -273,14 +279,14 @@ public:
         const double x1_2 = x[1][0];
         const double x2_2 = x[1][1];
         const double x3_2 = x[1][2];
-        const double s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-        const double flat1_1 = s1 + (33.333333333333336 * x3_1);
-        const double flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-        const double flat3_1 = 100.0 * x3_1;
-        const double s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-        const double flat1_2 = s2 + (33.333333333333336 * x3_2);
-        const double flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-        const double flat3_2 = 100.0 * x3_2;
+        const double s1 = (s1_1_1_ * x1_1) + (s1_2_1_ * x2_1);
+        const double flat1_1 = s1 + (s1_3_1_ * x3_1);
+        const double flat2_1 = (s2_2_1_ * x2_1) + (s2_3_1_ * x3_1);
+        const double flat3_1 = s3_3_1_ * x3_1;
+        const double s2 = (s1_1_2_ * x1_2) + (s1_2_2_ * x2_2);
+        const double flat1_2 = s2 + (s1_3_2_ * x3_2);
+        const double flat2_2 = (s2_2_2_ * x2_2) + (s2_3_2_ * x3_2);
+        const double flat3_2 = s3_3_2_ * x3_2;
         const double least_1 = 0.999999999990586 * u_min_;
         const double most_1 = 0.999999999990586 * u_max_;
         const double most2_1 = 0.499999999995293;
@@ -637,7 +643,7 @@ public:
                 fits = 2U;
             }
         }
-        if (!((3U < tried) && (tried < 1073741825U) && (fits == 2U))) {
+        if (!((tried > 3U) && (tried < 1073741825U) && (fits == 2U))) {
             return Status::Soon;
         }
         start_ = k;
@@ -665,14 +671,14 @@ public:
         const double x1_2 = x[1][0];
         const double x2_2 = x[1][1];
         const double x3_2 = x[1][2];
-        const double s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-        const double flat1_1 = s1 + (33.333333333333336 * x3_1);
-        const double flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-        const double flat3_1 = 100.0 * x3_1;
-        const double s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-        const double flat1_2 = s2 + (33.333333333333336 * x3_2);
-        const double flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-        const double flat3_2 = 100.0 * x3_2;
+        const double s1 = (s1_1_1_ * x1_1) + (s1_2_1_ * x2_1);
+        const double flat1_1 = s1 + (s1_3_1_ * x3_1);
+        const double flat2_1 = (s2_2_1_ * x2_1) + (s2_3_1_ * x3_1);
+        const double flat3_1 = s3_3_1_ * x3_1;
+        const double s2 = (s1_1_2_ * x1_2) + (s1_2_2_ * x2_2);
+        const double flat1_2 = s2 + (s1_3_2_ * x3_2);
+        const double flat2_2 = (s2_2_2_ * x2_2) + (s2_3_2_ * x3_2);
+        const double flat3_2 = s3_3_2_ * x3_2;
         std::uint32_t low = 3U;
         std::uint32_t top = 1073741825U;
         std::uint32_t kept = 0U;
@@ -1056,7 +1062,7 @@ public:
             && finite(flat1_2)
             && finite(flat2_2)
             && finite(flat3_2)) {
-            if (0U < kept) {
+            if (kept > 0U) {
                 return {kept, Status::Ok};
             } else {
                 return {0, Status::Soon};
@@ -1078,6 +1084,54 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_1_{-60000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_1_{600000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w1_3_1_{-2000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_1_{-360000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w2_3_1_{1800.0};
+    /// Weight of x3 in the law.
+    static constexpr double w3_3_1_{-900.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_2_{-120000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_2_{1200000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w1_3_2_{-4000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_2_{-600000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w2_3_2_{3000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w3_3_2_{-1200.0};
+    /// Weight of x1 in the law.
+    static constexpr double s1_1_1_{1000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double s1_2_1_{-10000.0};
+    /// 100/3, weight of x3 in the law.
+    static constexpr double s1_3_1_{33.333333333333336};
+    /// Weight of x2 in the law.
+    static constexpr double s2_2_1_{10000.0};
+    /// Weight of x3 in the law.
+    static constexpr double s2_3_1_{-50.0};
+    /// Weight of x3 in the law.
+    static constexpr double s3_3_1_{100.0};
+    /// Weight of x1 in the law.
+    static constexpr double s1_1_2_{1000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double s1_2_2_{-10000.0};
+    /// 100/3, weight of x3 in the law.
+    static constexpr double s1_3_2_{33.333333333333336};
+    /// Weight of x2 in the law.
+    static constexpr double s2_2_2_{10000.0};
+    /// Weight of x3 in the law.
+    static constexpr double s2_3_2_{-50.0};
+    /// Weight of x3 in the law.
+    static constexpr double s3_3_2_{100.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t last_{}; // samples from the start to rest, as planned now

@@ -6,6 +6,18 @@ function self = table_too_soon_arm_for(self, k, samples, x) %#codegen
 %   self = table_too_soon_arm_for(self, k, samples, x), with self from table_too_soon_init. Keep
 %   self: it is what the next call needs.
 
+s1_1_1 = 1000000.0; % weight of x1 in the law
+s1_2_1 = -10000.0; % weight of x2 in the law
+s1_3_1 = 33.333333333333336; % 100/3, weight of x3 in the law
+s2_2_1 = 10000.0; % weight of x2 in the law
+s2_3_1 = -50.0; % weight of x3 in the law
+s3_3_1 = 100.0; % weight of x3 in the law
+s1_1_2 = 1000000.0; % weight of x1 in the law
+s1_2_2 = -10000.0; % weight of x2 in the law
+s1_3_2 = 33.333333333333336; % 100/3, weight of x3 in the law
+s2_2_2 = 10000.0; % weight of x2 in the law
+s2_3_2 = -50.0; % weight of x3 in the law
+s3_3_2 = 100.0; % weight of x3 in the law
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
     error('table_too_soon:param', 'k is %g; legal: whole', k);
@@ -17,7 +29,7 @@ if ~(isfinite(samples) && (samples == floor(samples)))
 end
 samples = uint32(mod(samples, 4294967296));
 x = double(x);
-if ~((uint32(2) < samples) && (samples < uint32(2147483649)))
+if ~((samples > uint32(2)) && (samples < uint32(2147483649)))
     error('table_too_soon:param', 'k and samples and x, and what follows, must be finite');
 end
 if ~(isfinite(x(1, 1)) ...
@@ -34,14 +46,14 @@ x3_1 = x(1, 3);
 x1_2 = x(2, 1);
 x2_2 = x(2, 2);
 x3_2 = x(2, 3);
-s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-flat1_1 = s1 + (33.333333333333336 * x3_1);
-flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-flat3_1 = 100.0 * x3_1;
-s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-flat1_2 = s2 + (33.333333333333336 * x3_2);
-flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-flat3_2 = 100.0 * x3_2;
+s1 = (s1_1_1 * x1_1) + (s1_2_1 * x2_1);
+flat1_1 = s1 + (s1_3_1 * x3_1);
+flat2_1 = (s2_2_1 * x2_1) + (s2_3_1 * x3_1);
+flat3_1 = s3_3_1 * x3_1;
+s2 = (s1_1_2 * x1_2) + (s1_2_2 * x2_2);
+flat1_2 = s2 + (s1_3_2 * x3_2);
+flat2_2 = (s2_2_2 * x2_2) + (s2_3_2 * x3_2);
+flat3_2 = s3_3_2 * x3_2;
 least_1 = 0.999999999990586 * self.u_min;
 most_1 = 0.999999999990586 * self.u_max;
 most2_1 = 0.499999999995293;
@@ -398,7 +410,7 @@ if fits == uint32(1)
         fits = uint32(2);
     end
 end
-if ~((uint32(3) < tried) && (tried < uint32(1073741825)) && (fits == uint32(2)))
+if ~((tried > uint32(3)) && (tried < uint32(1073741825)) && (fits == uint32(2)))
     error('table_too_soon:param', 'k and samples and x, and what follows, must be finite');
 end
 self.start = k;

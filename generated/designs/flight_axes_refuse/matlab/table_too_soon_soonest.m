@@ -16,6 +16,18 @@ function [samples, status] = table_too_soon_soonest(self, x) %#codegen
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 %     -4  there is none
 
+s1_1_1 = 1000000.0; % weight of x1 in the law
+s1_2_1 = -10000.0; % weight of x2 in the law
+s1_3_1 = 33.333333333333336; % 100/3, weight of x3 in the law
+s2_2_1 = 10000.0; % weight of x2 in the law
+s2_3_1 = -50.0; % weight of x3 in the law
+s3_3_1 = 100.0; % weight of x3 in the law
+s1_1_2 = 1000000.0; % weight of x1 in the law
+s1_2_2 = -10000.0; % weight of x2 in the law
+s1_3_2 = 33.333333333333336; % 100/3, weight of x3 in the law
+s2_2_2 = 10000.0; % weight of x2 in the law
+s2_3_2 = -50.0; % weight of x3 in the law
+s3_3_2 = 100.0; % weight of x3 in the law
 samples = uint32(0);
 x = double(x);
 if ~(isfinite(x(1, 1)) ...
@@ -33,14 +45,14 @@ x3_1 = x(1, 3);
 x1_2 = x(2, 1);
 x2_2 = x(2, 2);
 x3_2 = x(2, 3);
-s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-flat1_1 = s1 + (33.333333333333336 * x3_1);
-flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-flat3_1 = 100.0 * x3_1;
-s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-flat1_2 = s2 + (33.333333333333336 * x3_2);
-flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-flat3_2 = 100.0 * x3_2;
+s1 = (s1_1_1 * x1_1) + (s1_2_1 * x2_1);
+flat1_1 = s1 + (s1_3_1 * x3_1);
+flat2_1 = (s2_2_1 * x2_1) + (s2_3_1 * x3_1);
+flat3_1 = s3_3_1 * x3_1;
+s2 = (s1_1_2 * x1_2) + (s1_2_2 * x2_2);
+flat1_2 = s2 + (s1_3_2 * x3_2);
+flat2_2 = (s2_2_2 * x2_2) + (s2_3_2 * x3_2);
+flat3_2 = s3_3_2 * x3_2;
 low = uint32(3);
 top = uint32(1073741825);
 kept = uint32(0);
@@ -424,7 +436,7 @@ if isfinite(flat1_1) ...
     && isfinite(flat1_2) ...
     && isfinite(flat2_2) ...
     && isfinite(flat3_2)
-    if uint32(0) < kept
+    if kept > uint32(0)
         samples = kept;
         status = int32(0);
     else

@@ -15,6 +15,18 @@ function [u, axes, status] = table_too_soon_step(self, k, x) %#codegen
 %     -3  u not finite
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
+w1_1_1 = -60000000.0; % weight of x1 in the law
+w1_2_1 = 600000.0; % weight of x2 in the law
+w1_3_1 = -2000.0; % weight of x3 in the law
+w2_2_1 = -360000.0; % weight of x2 in the law
+w2_3_1 = 1800.0; % weight of x3 in the law
+w3_3_1 = -900.0; % weight of x3 in the law
+w1_1_2 = -120000000.0; % weight of x1 in the law
+w1_2_2 = 1200000.0; % weight of x2 in the law
+w1_3_2 = -4000.0; % weight of x3 in the law
+w2_2_2 = -600000.0; % weight of x2 in the law
+w2_3_2 = 3000.0; % weight of x3 in the law
+w3_3_2 = -1200.0; % weight of x3 in the law
 u = zeros(2, 1, 'double');
 axes = repmat(int32(-2), 2, 1);
 k = double(k);
@@ -44,16 +56,22 @@ left = self.last - elapsed;
 m0_1 = pick(double(left) < 3.0, 3.0, double(left));
 
 % The exact law in samples.
-z1_1 = (((-60000000.0) * x1_1) + (600000.0 * x2_1)) - (2000.0 * x3_1);
-z2_1 = ((-360000.0) * x2_1) + (1800.0 * x3_1);
-z3_1 = (-900.0) * x3_1;
-law_1 = ((((z1_1 / (m0_1 + 2.0)) + z2_1) / (m0_1 + 1.0)) + z3_1) / m0_1;
+s1 = (w1_1_1 * x1_1) + (w1_2_1 * x2_1);
+z1_1 = s1 + (w1_3_1 * x3_1);
+z2_1 = (w2_2_1 * x2_1) + (w2_3_1 * x3_1);
+z3_1 = w3_3_1 * x3_1;
+m0f_11 = m0_1 + 2.0;
+m0f_12 = m0f_11 * (m0_1 + 1.0);
+law_1 = (z1_1 + (z2_1 * m0f_11) + (z3_1 * m0f_12)) / (m0f_12 * m0_1);
 m0_2 = pick(double(left) < 3.0, 3.0, double(left));
-z1_2 = (((-120000000.0) * x1_2) + (1200000.0 * x2_2)) - (4000.0 * x3_2);
-z2_2 = ((-600000.0) * x2_2) + (3000.0 * x3_2);
-z3_2 = (-1200.0) * x3_2;
-s1 = (((z1_2 / (m0_2 + 3.0)) + z2_2) / (m0_2 + 2.0)) + z3_2;
-law_2 = s1 / (m0_2 + 1.0);
+s2 = (w1_1_2 * x1_2) + (w1_2_2 * x2_2);
+z1_2 = s2 + (w1_3_2 * x3_2);
+z2_2 = (w2_2_2 * x2_2) + (w2_3_2 * x3_2);
+z3_2 = w3_3_2 * x3_2;
+m0f_21 = m0_2 + 3.0;
+m0f_22 = m0f_21 * (m0_2 + 2.0);
+s3 = z1_2 + (z2_2 * m0f_21) + (z3_2 * m0f_22);
+law_2 = s3 / (m0f_22 * (m0_2 + 1.0));
 if elapsed < self.last
     status = int32(0);
 else
@@ -64,7 +82,7 @@ if isfinite(law_1) && isfinite(law_2)
     axes(1) = status;
     u(2) = law_2;
     axes(2) = status;
-    if self.u_max < law_1
+    if law_1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -73,7 +91,7 @@ if isfinite(law_1) && isfinite(law_2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < law_2
+    if law_2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

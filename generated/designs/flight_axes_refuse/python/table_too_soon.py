@@ -132,6 +132,55 @@ def _of_axes(given: ArrayLike, count: int, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: (..., {count}, {length})")
     return numbers
 
+# Weight of x1 in the law.
+_W1_1_1 = _R(-60000000.0)
+# Weight of x2 in the law.
+_W1_2_1 = _R(600000.0)
+# Weight of x3 in the law.
+_W1_3_1 = _R(-2000.0)
+# Weight of x2 in the law.
+_W2_2_1 = _R(-360000.0)
+# Weight of x3 in the law.
+_W2_3_1 = _R(1800.0)
+# Weight of x3 in the law.
+_W3_3_1 = _R(-900.0)
+# Weight of x1 in the law.
+_W1_1_2 = _R(-120000000.0)
+# Weight of x2 in the law.
+_W1_2_2 = _R(1200000.0)
+# Weight of x3 in the law.
+_W1_3_2 = _R(-4000.0)
+# Weight of x2 in the law.
+_W2_2_2 = _R(-600000.0)
+# Weight of x3 in the law.
+_W2_3_2 = _R(3000.0)
+# Weight of x3 in the law.
+_W3_3_2 = _R(-1200.0)
+# Weight of x1 in the law.
+_S1_1_1 = _R(1000000.0)
+# Weight of x2 in the law.
+_S1_2_1 = _R(-10000.0)
+# 100/3, weight of x3 in the law.
+_S1_3_1 = _R(33.333333333333336)
+# Weight of x2 in the law.
+_S2_2_1 = _R(10000.0)
+# Weight of x3 in the law.
+_S2_3_1 = _R(-50.0)
+# Weight of x3 in the law.
+_S3_3_1 = _R(100.0)
+# Weight of x1 in the law.
+_S1_1_2 = _R(1000000.0)
+# Weight of x2 in the law.
+_S1_2_2 = _R(-10000.0)
+# 100/3, weight of x3 in the law.
+_S1_3_2 = _R(33.333333333333336)
+# Weight of x2 in the law.
+_S2_2_2 = _R(10000.0)
+# Weight of x3 in the law.
+_S2_3_2 = _R(-50.0)
+# Weight of x3 in the law.
+_S3_3_2 = _R(100.0)
+
 class TableTooSoon:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -193,16 +242,22 @@ class TableTooSoon:
             m0_1 = max(_R(left), _R(3.0))
 
             # The exact law in samples.
-            z1_1 = (((-60000000.0) * x1_1) + (600000.0 * x2_1)) - (2000.0 * x3_1)
-            z2_1 = ((-360000.0) * x2_1) + (1800.0 * x3_1)
-            z3_1 = (-900.0) * x3_1
-            law_1 = ((((z1_1 / (m0_1 + 2.0)) + z2_1) / (m0_1 + 1.0)) + z3_1) / m0_1
+            s1 = (_W1_1_1 * x1_1) + (_W1_2_1 * x2_1)
+            z1_1 = s1 + (_W1_3_1 * x3_1)
+            z2_1 = (_W2_2_1 * x2_1) + (_W2_3_1 * x3_1)
+            z3_1 = _W3_3_1 * x3_1
+            m0f_11 = m0_1 + 2.0
+            m0f_12 = m0f_11 * (m0_1 + 1.0)
+            law_1 = (z1_1 + (z2_1 * m0f_11) + (z3_1 * m0f_12)) / (m0f_12 * m0_1)
             m0_2 = max(_R(left), _R(3.0))
-            z1_2 = (((-120000000.0) * x1_2) + (1200000.0 * x2_2)) - (4000.0 * x3_2)
-            z2_2 = ((-600000.0) * x2_2) + (3000.0 * x3_2)
-            z3_2 = (-1200.0) * x3_2
-            s1 = (((z1_2 / (m0_2 + 3.0)) + z2_2) / (m0_2 + 2.0)) + z3_2
-            law_2 = s1 / (m0_2 + 1.0)
+            s2 = (_W1_1_2 * x1_2) + (_W1_2_2 * x2_2)
+            z1_2 = s2 + (_W1_3_2 * x3_2)
+            z2_2 = (_W2_2_2 * x2_2) + (_W2_3_2 * x3_2)
+            z3_2 = _W3_3_2 * x3_2
+            m0f_21 = m0_2 + 3.0
+            m0f_22 = m0f_21 * (m0_2 + 2.0)
+            s3 = z1_2 + (z2_2 * m0f_21) + (z3_2 * m0f_22)
+            law_2 = s3 / (m0f_22 * (m0_2 + 1.0))
             if elapsed < self._last:
                 status = Status.OK
             else:
@@ -212,7 +267,7 @@ class TableTooSoon:
                 axes[0] = status
                 u[1] = law_2
                 axes[1] = status
-                if self._u_max < law_1:
+                if law_1 > self._u_max:
                     u[0] = self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -220,7 +275,7 @@ class TableTooSoon:
                     u[0] = self._u_min
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if self._u_max < law_2:
+                if law_2 > self._u_max:
                     u[1] = self._u_max
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
@@ -254,7 +309,7 @@ class TableTooSoon:
             k = k.__index__() & _WRAP
             samples = samples.__index__() & _WRAP
             x = _of_axes(x, 2, 3, "x")
-            if not ((2 < samples) and (samples < 2147483649)):
+            if not ((samples > 2) and (samples < 2147483649)):
                 raise ValueError("k and samples and x, and what follows, must be finite")
             if not (
                 np.isfinite(x[..., 0, 0])
@@ -271,14 +326,14 @@ class TableTooSoon:
             x1_2 = x[..., 1, 0]
             x2_2 = x[..., 1, 1]
             x3_2 = x[..., 1, 2]
-            s1 = (1000000.0 * x1_1) - (10000.0 * x2_1)
-            flat1_1 = s1 + (33.333333333333336 * x3_1)
-            flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1)
-            flat3_1 = 100.0 * x3_1
-            s2 = (1000000.0 * x1_2) - (10000.0 * x2_2)
-            flat1_2 = s2 + (33.333333333333336 * x3_2)
-            flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2)
-            flat3_2 = 100.0 * x3_2
+            s1 = (_S1_1_1 * x1_1) + (_S1_2_1 * x2_1)
+            flat1_1 = s1 + (_S1_3_1 * x3_1)
+            flat2_1 = (_S2_2_1 * x2_1) + (_S2_3_1 * x3_1)
+            flat3_1 = _S3_3_1 * x3_1
+            s2 = (_S1_1_2 * x1_2) + (_S1_2_2 * x2_2)
+            flat1_2 = s2 + (_S1_3_2 * x3_2)
+            flat2_2 = (_S2_2_2 * x2_2) + (_S2_3_2 * x3_2)
+            flat3_2 = _S3_3_2 * x3_2
             least_1 = 0.999999999990586 * self._u_min
             most_1 = 0.999999999990586 * self._u_max
             most2_1 = _R(0.499999999995293)
@@ -567,7 +622,7 @@ class TableTooSoon:
                     and (-most3_2 <= end69_2 <= most3_2)
                 ):
                     fits = 2
-            if not ((3 < tried) and (tried < 1073741825) and (fits == 2)):
+            if not ((tried > 3) and (tried < 1073741825) and (fits == 2)):
                 raise ValueError("k and samples and x, and what follows, must be finite")
             self._start = k
             self._last = samples
@@ -596,14 +651,14 @@ class TableTooSoon:
             x1_2 = x[..., 1, 0]
             x2_2 = x[..., 1, 1]
             x3_2 = x[..., 1, 2]
-            s1 = (1000000.0 * x1_1) - (10000.0 * x2_1)
-            flat1_1 = s1 + (33.333333333333336 * x3_1)
-            flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1)
-            flat3_1 = 100.0 * x3_1
-            s2 = (1000000.0 * x1_2) - (10000.0 * x2_2)
-            flat1_2 = s2 + (33.333333333333336 * x3_2)
-            flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2)
-            flat3_2 = 100.0 * x3_2
+            s1 = (_S1_1_1 * x1_1) + (_S1_2_1 * x2_1)
+            flat1_1 = s1 + (_S1_3_1 * x3_1)
+            flat2_1 = (_S2_2_1 * x2_1) + (_S2_3_1 * x3_1)
+            flat3_1 = _S3_3_1 * x3_1
+            s2 = (_S1_1_2 * x1_2) + (_S1_2_2 * x2_2)
+            flat1_2 = s2 + (_S1_3_2 * x3_2)
+            flat2_2 = (_S2_2_2 * x2_2) + (_S2_3_2 * x3_2)
+            flat3_2 = _S3_3_2 * x3_2
             low = np.asarray(3)
             top = np.asarray(1073741825)
             kept = np.asarray(0)
@@ -917,7 +972,7 @@ class TableTooSoon:
                 and np.isfinite(flat2_2)
                 and np.isfinite(flat3_2)
             ):
-                if 0 < kept:
+                if kept > 0:
                     return int(kept)
                 else:
                     raise ValueError("no number of samples was found that keeps the limits")

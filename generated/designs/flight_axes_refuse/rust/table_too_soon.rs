@@ -170,6 +170,55 @@ pub struct TableTooSoon {
     clippy::nursery
 )]
 impl TableTooSoon {
+    /// Weight of x1 in the law.
+    const W1_1_1: f64 = -60000000.0;
+    /// Weight of x2 in the law.
+    const W1_2_1: f64 = 600000.0;
+    /// Weight of x3 in the law.
+    const W1_3_1: f64 = -2000.0;
+    /// Weight of x2 in the law.
+    const W2_2_1: f64 = -360000.0;
+    /// Weight of x3 in the law.
+    const W2_3_1: f64 = 1800.0;
+    /// Weight of x3 in the law.
+    const W3_3_1: f64 = -900.0;
+    /// Weight of x1 in the law.
+    const W1_1_2: f64 = -120000000.0;
+    /// Weight of x2 in the law.
+    const W1_2_2: f64 = 1200000.0;
+    /// Weight of x3 in the law.
+    const W1_3_2: f64 = -4000.0;
+    /// Weight of x2 in the law.
+    const W2_2_2: f64 = -600000.0;
+    /// Weight of x3 in the law.
+    const W2_3_2: f64 = 3000.0;
+    /// Weight of x3 in the law.
+    const W3_3_2: f64 = -1200.0;
+    /// Weight of x1 in the law.
+    const S1_1_1: f64 = 1000000.0;
+    /// Weight of x2 in the law.
+    const S1_2_1: f64 = -10000.0;
+    /// 100/3, weight of x3 in the law.
+    const S1_3_1: f64 = 33.333333333333336;
+    /// Weight of x2 in the law.
+    const S2_2_1: f64 = 10000.0;
+    /// Weight of x3 in the law.
+    const S2_3_1: f64 = -50.0;
+    /// Weight of x3 in the law.
+    const S3_3_1: f64 = 100.0;
+    /// Weight of x1 in the law.
+    const S1_1_2: f64 = 1000000.0;
+    /// Weight of x2 in the law.
+    const S1_2_2: f64 = -10000.0;
+    /// 100/3, weight of x3 in the law.
+    const S1_3_2: f64 = 33.333333333333336;
+    /// Weight of x2 in the law.
+    const S2_2_2: f64 = 10000.0;
+    /// Weight of x3 in the law.
+    const S2_3_2: f64 = -50.0;
+    /// Weight of x3 in the law.
+    const S3_3_2: f64 = 100.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -233,21 +282,27 @@ impl TableTooSoon {
         let law_1: f64;
 
         // The exact law in samples.
-        let z1_1 = (((-60000000.0) * x1_1) + (600000.0 * x2_1)) - (2000.0 * x3_1);
-        let z2_1 = ((-360000.0) * x2_1) + (1800.0 * x3_1);
-        let z3_1 = (-900.0) * x3_1;
-        law_1 = ((((z1_1 / (m0_1 + 2.0)) + z2_1) / (m0_1 + 1.0)) + z3_1) / m0_1;
+        let s1 = (Self::W1_1_1 * x1_1) + (Self::W1_2_1 * x2_1);
+        let z1_1 = s1 + (Self::W1_3_1 * x3_1);
+        let z2_1 = (Self::W2_2_1 * x2_1) + (Self::W2_3_1 * x3_1);
+        let z3_1 = Self::W3_3_1 * x3_1;
+        let m0f_11 = m0_1 + 2.0;
+        let m0f_12 = m0f_11 * (m0_1 + 1.0);
+        law_1 = (z1_1 + (z2_1 * m0f_11) + (z3_1 * m0f_12)) / (m0f_12 * m0_1);
         let m0_2 = if (left as f64) < 3.0 {
             3.0
         } else {
             left as f64
         };
         let law_2: f64;
-        let z1_2 = (((-120000000.0) * x1_2) + (1200000.0 * x2_2)) - (4000.0 * x3_2);
-        let z2_2 = ((-600000.0) * x2_2) + (3000.0 * x3_2);
-        let z3_2 = (-1200.0) * x3_2;
-        let s1 = (((z1_2 / (m0_2 + 3.0)) + z2_2) / (m0_2 + 2.0)) + z3_2;
-        law_2 = s1 / (m0_2 + 1.0);
+        let s2 = (Self::W1_1_2 * x1_2) + (Self::W1_2_2 * x2_2);
+        let z1_2 = s2 + (Self::W1_3_2 * x3_2);
+        let z2_2 = (Self::W2_2_2 * x2_2) + (Self::W2_3_2 * x3_2);
+        let z3_2 = Self::W3_3_2 * x3_2;
+        let m0f_21 = m0_2 + 3.0;
+        let m0f_22 = m0f_21 * (m0_2 + 2.0);
+        let s3 = z1_2 + (z2_2 * m0f_21) + (z3_2 * m0f_22);
+        law_2 = s3 / (m0f_22 * (m0_2 + 1.0));
         if elapsed < self.last {
             status = Ok(Status::Ok);
         } else {
@@ -258,7 +313,7 @@ impl TableTooSoon {
             axes[0] = status;
             u[1] = law_2;
             axes[1] = status;
-            if self.u_max < law_1 {
+            if law_1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -267,7 +322,7 @@ impl TableTooSoon {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < law_2 {
+            if law_2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -303,7 +358,7 @@ impl TableTooSoon {
     /// out of its domain. `Soon`: a limit could be exceeded with so few samples, or with any.
     #[inline]
     pub fn arm_for(&mut self, k: u32, samples: u32, x: &[[f64; 3]; 2]) -> Result<(), Error> {
-        if !((2 < samples) && (samples < 2147483649)) {
+        if !((samples > 2) && (samples < 2147483649)) {
             return Err(Error::Param);
         }
         if !(x[0][0].is_finite()
@@ -321,14 +376,14 @@ impl TableTooSoon {
         let x1_2 = x[1][0];
         let x2_2 = x[1][1];
         let x3_2 = x[1][2];
-        let s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-        let flat1_1 = s1 + (33.333333333333336 * x3_1);
-        let flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-        let flat3_1 = 100.0 * x3_1;
-        let s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-        let flat1_2 = s2 + (33.333333333333336 * x3_2);
-        let flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-        let flat3_2 = 100.0 * x3_2;
+        let s1 = (Self::S1_1_1 * x1_1) + (Self::S1_2_1 * x2_1);
+        let flat1_1 = s1 + (Self::S1_3_1 * x3_1);
+        let flat2_1 = (Self::S2_2_1 * x2_1) + (Self::S2_3_1 * x3_1);
+        let flat3_1 = Self::S3_3_1 * x3_1;
+        let s2 = (Self::S1_1_2 * x1_2) + (Self::S1_2_2 * x2_2);
+        let flat1_2 = s2 + (Self::S1_3_2 * x3_2);
+        let flat2_2 = (Self::S2_2_2 * x2_2) + (Self::S2_3_2 * x3_2);
+        let flat3_2 = Self::S3_3_2 * x3_2;
         let least_1 = 0.999999999990586 * self.u_min;
         let most_1 = 0.999999999990586 * self.u_max;
         let most2_1: f64 = 0.499999999995293;
@@ -687,7 +742,7 @@ impl TableTooSoon {
                 fits = 2;
             }
         }
-        if !((3 < tried) && (tried < 1073741825) && (fits == 2)) {
+        if !((tried > 3) && (tried < 1073741825) && (fits == 2)) {
             return Err(Error::Soon);
         }
         self.start = k;
@@ -719,14 +774,14 @@ impl TableTooSoon {
         let x1_2 = x[1][0];
         let x2_2 = x[1][1];
         let x3_2 = x[1][2];
-        let s1 = (1000000.0 * x1_1) - (10000.0 * x2_1);
-        let flat1_1 = s1 + (33.333333333333336 * x3_1);
-        let flat2_1 = (10000.0 * x2_1) - (50.0 * x3_1);
-        let flat3_1 = 100.0 * x3_1;
-        let s2 = (1000000.0 * x1_2) - (10000.0 * x2_2);
-        let flat1_2 = s2 + (33.333333333333336 * x3_2);
-        let flat2_2 = (10000.0 * x2_2) - (50.0 * x3_2);
-        let flat3_2 = 100.0 * x3_2;
+        let s1 = (Self::S1_1_1 * x1_1) + (Self::S1_2_1 * x2_1);
+        let flat1_1 = s1 + (Self::S1_3_1 * x3_1);
+        let flat2_1 = (Self::S2_2_1 * x2_1) + (Self::S2_3_1 * x3_1);
+        let flat3_1 = Self::S3_3_1 * x3_1;
+        let s2 = (Self::S1_1_2 * x1_2) + (Self::S1_2_2 * x2_2);
+        let flat1_2 = s2 + (Self::S1_3_2 * x3_2);
+        let flat2_2 = (Self::S2_2_2 * x2_2) + (Self::S2_3_2 * x3_2);
+        let flat3_2 = Self::S3_3_2 * x3_2;
         let mut low = 3_u32;
         let mut top = 1073741825_u32;
         let mut kept = 0_u32;
@@ -1113,7 +1168,7 @@ impl TableTooSoon {
             && flat2_2.is_finite()
             && flat3_2.is_finite()
         {
-            if 0 < kept {
+            if kept > 0 {
                 Ok(kept)
             } else {
                 Err(Error::Soon)

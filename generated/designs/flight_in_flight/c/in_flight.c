@@ -33,6 +33,18 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define IN_FLIGHT_GAMMA1 1.4970872355502905e-5 /* prediction from u */
+#define IN_FLIGHT_LATE_GAMMA1 4.995835936198459e-6 /* prediction from u */
+#define IN_FLIGHT_GAMMA2 0.019925145638222487 /* prediction from u */
+#define IN_FLIGHT_LATE_GAMMA2 0.019975020820319007 /* prediction from u */
+#define IN_FLIGHT_PHI1_2 0.0009975041614635374 /* prediction of x1 from x2 */
+#define IN_FLIGHT_PHI1_3 1.9966708291701364e-5 /* prediction of x1 from d */
+#define IN_FLIGHT_PHI2_2 0.9950124791926823 /* prediction of x2 from x2 */
+#define IN_FLIGHT_PHI2_3 0.03990016645854149 /* prediction of x2 from d */
+#define IN_FLIGHT_U_MAX 10.0 /* bound of |u| */
+#define IN_FLIGHT_HOLD 10.0 /* samples to go at which the gains are held */
+
 /* Gains of least energy of each state, a row for the samples to go of a node */
 static const double in_flight_gains[133][2] = {
     {-25062.55208331163, -37.45838539928387},
@@ -233,10 +245,10 @@ ptc_status in_flight_step(in_flight *self, uint32_t k, const double y[1], double
                 x2 = 0.0;
                 d = 0.0;
             } else {
-                const double s1 = 1.4970872355502905e-5 * self->u2;
-                x1 = self->x1_next + (s1 + (4.995835936198459e-6 * self->u1));
-                const double s2 = 0.019925145638222487 * self->u2;
-                x2 = self->x2_next + (s2 + (0.019975020820319007 * self->u1));
+                const double s1 = (IN_FLIGHT_GAMMA1 * self->u2) + (IN_FLIGHT_LATE_GAMMA1 * self->u1);
+                x1 = self->x1_next + s1;
+                const double s2 = (IN_FLIGHT_GAMMA2 * self->u2) + (IN_FLIGHT_LATE_GAMMA2 * self->u1);
+                x2 = self->x2_next + s2;
                 d = self->d_next;
             }
 
@@ -246,15 +258,13 @@ ptc_status in_flight_step(in_flight *self, uint32_t k, const double y[1], double
             const double l1 = 1.7734544314684126;
             const double l2 = 1088.4380379806641;
             const double l3 = 8444.061398933449;
-            const double s3 = x1 + (0.0009975041614635374 * x2) + (1.9966708291701364e-5 * d);
-            const double x1_on = s3 + (l1 * off1);
-            const double s4 = (0.9950124791926823 * x2) + (0.03990016645854149 * d);
-            const double x2_on = s4 + (l2 * off1);
+            const double x1_on = x1 + (IN_FLIGHT_PHI1_2 * x2) + (IN_FLIGHT_PHI1_3 * d) + (l1 * off1);
+            const double x2_on = (IN_FLIGHT_PHI2_2 * x2) + (IN_FLIGHT_PHI2_3 * d) + (l2 * off1);
             const double d_on = d + (l3 * off1);
             const uint32_t left = (elapsed < self->last) ? (self->last - elapsed) : 0U;
             const uint32_t planned = (1U < left) ? (left - 1U) : 0U;
             uint32_t to_go;
-            if (10U < planned) {
+            if (planned > 10U) {
                 to_go = planned;
             } else {
                 to_go = 10U;
@@ -278,28 +288,28 @@ ptc_status in_flight_step(in_flight *self, uint32_t k, const double y[1], double
             }
 
             /* The state from which this input acts. */
-            const double s5 = 4.995835936198459e-6 * (self->u1 + d);
-            const double p1 = x1 + (0.0004993755205079752 * x2) + s5;
-            const double s6 = 0.019975020820319007 * (self->u1 + d);
-            const double p2 = (0.9975031223974601 * x2) + s6;
+            const double s3 = 4.995835936198459e-6 * (self->u1 + d);
+            const double p1 = x1 + (0.0004993755205079752 * x2) + s3;
+            const double s4 = 0.019975020820319007 * (self->u1 + d);
+            const double p2 = (0.9975031223974601 * x2) + s4;
 
             /* The law of least energy. */
             const uint32_t above = row + 1U;
             double v;
-            const double s7 = part * (in_flight_gains[above][0] - in_flight_gains[row][0]);
-            const double s8 = part * (in_flight_gains[above][1] - in_flight_gains[row][1]);
-            const double s9 = (in_flight_gains[row][0] + s7) * p1;
-            v = (s9 + ((in_flight_gains[row][1] + s8) * p2)) - d;
+            const double s5 = part * (in_flight_gains[above][0] - in_flight_gains[row][0]);
+            const double s6 = part * (in_flight_gains[above][1] - in_flight_gains[row][1]);
+            const double s7 = (in_flight_gains[row][0] + s5) * p1;
+            v = (s7 + ((in_flight_gains[row][1] + s6) * p2)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)
                 && PTC_FINITE_F64(x1_on)
                 && PTC_FINITE_F64(x2_on)
                 && PTC_FINITE_F64(d_on)) {
                 double u_now;
-                if (10.0 < v) {
-                    u_now = 10.0;
-                } else if (v < -10.0) {
-                    u_now = -10.0;
+                if (v > IN_FLIGHT_U_MAX) {
+                    u_now = IN_FLIGHT_U_MAX;
+                } else if (v < -IN_FLIGHT_U_MAX) {
+                    u_now = -IN_FLIGHT_U_MAX;
                 } else {
                     u_now = v;
                 }
@@ -313,9 +323,9 @@ ptc_status in_flight_step(in_flight *self, uint32_t k, const double y[1], double
                 self->d_next = d_on;
                 self->seen = 1U;
                 *u = u_now;
-                if ((10.0 < v) || (v < -10.0)) {
+                if ((v > IN_FLIGHT_U_MAX) || (v < -IN_FLIGHT_U_MAX)) {
                     status = PTC_SATURATED;
-                } else if (((double)left) - 1.0 <= 10.0) {
+                } else if (((double)left) - 1.0 <= IN_FLIGHT_HOLD) {
                     status = PTC_HOLD;
                 } else {
                     status = PTC_OK;
@@ -331,7 +341,7 @@ ptc_status in_flight_arm_for(in_flight *self, uint32_t k, uint32_t samples)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if ((2U < samples) && (samples < 301U)) {
+        if ((samples > 2U) && (samples < 301U)) {
             self->start = k;
             self->last = samples;
             status = PTC_OK;
@@ -356,10 +366,10 @@ ptc_status in_flight_assume(in_flight *self, const double xhat[2])
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (xhat != NULL)) {
-        const double s1 = 1.4970872355502905e-5 * self->u2;
-        const double n1 = xhat[0] - (s1 + (4.995835936198459e-6 * self->u1));
-        const double s2 = 0.019925145638222487 * self->u2;
-        const double n2 = xhat[1] - (s2 + (0.019975020820319007 * self->u1));
+        const double s1 = (IN_FLIGHT_GAMMA1 * self->u2) + (IN_FLIGHT_LATE_GAMMA1 * self->u1);
+        const double n1 = xhat[0] - s1;
+        const double s2 = (IN_FLIGHT_GAMMA2 * self->u2) + (IN_FLIGHT_LATE_GAMMA2 * self->u1);
+        const double n2 = xhat[1] - s2;
         if (PTC_FINITE_F64(n1) && PTC_FINITE_F64(n2)) {
             self->x1_next = n1;
             self->x1_hat = xhat[0];

@@ -43,8 +43,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef IN_FLIGHT_3FD3C392_HPP
-#define IN_FLIGHT_3FD3C392_HPP
+#ifndef IN_FLIGHT_80D4D014_HPP
+#define IN_FLIGHT_80D4D014_HPP
 
 #include <array>
 #include <cfloat>
@@ -166,10 +166,10 @@ public:
             x2 = 0.0;
             d = 0.0;
         } else {
-            const double s1 = 1.4970872355502905e-5 * u2_;
-            x1 = x1_next_ + (s1 + (4.995835936198459e-6 * u1_));
-            const double s2 = 0.019925145638222487 * u2_;
-            x2 = x2_next_ + (s2 + (0.019975020820319007 * u1_));
+            const double s1 = (gamma1_ * u2_) + (late_gamma1_ * u1_);
+            x1 = x1_next_ + s1;
+            const double s2 = (gamma2_ * u2_) + (late_gamma2_ * u1_);
+            x2 = x2_next_ + s2;
             d = d_next_;
         }
 
@@ -179,15 +179,13 @@ public:
         const double l1 = 1.7734544314684126;
         const double l2 = 1088.4380379806641;
         const double l3 = 8444.061398933449;
-        const double s3 = x1 + (0.0009975041614635374 * x2) + (1.9966708291701364e-5 * d);
-        const double x1_on = s3 + (l1 * off1);
-        const double s4 = (0.9950124791926823 * x2) + (0.03990016645854149 * d);
-        const double x2_on = s4 + (l2 * off1);
+        const double x1_on = x1 + (phi1_2_ * x2) + (phi1_3_ * d) + (l1 * off1);
+        const double x2_on = (phi2_2_ * x2) + (phi2_3_ * d) + (l2 * off1);
         const double d_on = d + (l3 * off1);
         const std::uint32_t left = (elapsed < last_) ? (last_ - elapsed) : 0U;
         const std::uint32_t planned = (1U < left) ? (left - 1U) : 0U;
         std::uint32_t to_go{};
-        if (10U < planned) {
+        if (planned > 10U) {
             to_go = planned;
         } else {
             to_go = 10U;
@@ -211,26 +209,26 @@ public:
         }
 
         // The state from which this input acts.
-        const double s5 = 4.995835936198459e-6 * (u1_ + d);
-        const double p1 = x1 + (0.0004993755205079752 * x2) + s5;
-        const double s6 = 0.019975020820319007 * (u1_ + d);
-        const double p2 = (0.9975031223974601 * x2) + s6;
+        const double s3 = 4.995835936198459e-6 * (u1_ + d);
+        const double p1 = x1 + (0.0004993755205079752 * x2) + s3;
+        const double s4 = 0.019975020820319007 * (u1_ + d);
+        const double p2 = (0.9975031223974601 * x2) + s4;
 
         // The law of least energy.
         const std::uint32_t above = row + 1U;
         double v{};
-        const double s7 = part * (gains_[above][0] - gains_[row][0]);
-        const double s8 = part * (gains_[above][1] - gains_[row][1]);
-        const double s9 = (gains_[row][0] + s7) * p1;
-        v = (s9 + ((gains_[row][1] + s8) * p2)) - d;
+        const double s5 = part * (gains_[above][0] - gains_[row][0]);
+        const double s6 = part * (gains_[above][1] - gains_[row][1]);
+        const double s7 = (gains_[row][0] + s5) * p1;
+        v = (s7 + ((gains_[row][1] + s6) * p2)) - d;
         if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(d_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (10.0 < v) {
-            u_now = 10.0;
-        } else if (v < -10.0) {
-            u_now = -10.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -243,9 +241,9 @@ public:
         d_hat_ = d;
         d_next_ = d_on;
         seen_ = 1U;
-        if ((10.0 < v) || (v < -10.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) - 1.0 <= 10.0) {
+        } else if (static_cast<double>(left) - 1.0 <= hold_) {
             return {u_now, Status::Hold};
         } else {
             return {u_now, Status::Ok};
@@ -257,7 +255,7 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm_for(std::uint32_t k, std::uint32_t samples) noexcept
     {
-        if (!((2U < samples) && (samples < 301U))) {
+        if (!((samples > 2U) && (samples < 301U))) {
             return Status::Param;
         }
         start_ = k;
@@ -276,10 +274,10 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status assume(const std::array<double, 2>& xhat) noexcept
     {
-        const double s1 = 1.4970872355502905e-5 * u2_;
-        const double n1 = xhat[0] - (s1 + (4.995835936198459e-6 * u1_));
-        const double s2 = 0.019925145638222487 * u2_;
-        const double n2 = xhat[1] - (s2 + (0.019975020820319007 * u1_));
+        const double s1 = (gamma1_ * u2_) + (late_gamma1_ * u1_);
+        const double n1 = xhat[0] - s1;
+        const double s2 = (gamma2_ * u2_) + (late_gamma2_ * u1_);
+        const double n2 = xhat[1] - s2;
         if (!(finite(n1) && finite(n2))) {
             return Status::Input;
         }
@@ -337,6 +335,26 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Prediction from u.
+    static constexpr double gamma1_{1.4970872355502905e-5};
+    /// Prediction from u.
+    static constexpr double late_gamma1_{4.995835936198459e-6};
+    /// Prediction from u.
+    static constexpr double gamma2_{0.019925145638222487};
+    /// Prediction from u.
+    static constexpr double late_gamma2_{0.019975020820319007};
+    /// Prediction of x1 from x2.
+    static constexpr double phi1_2_{0.0009975041614635374};
+    /// Prediction of x1 from d.
+    static constexpr double phi1_3_{1.9966708291701364e-5};
+    /// Prediction of x2 from x2.
+    static constexpr double phi2_2_{0.9950124791926823};
+    /// Prediction of x2 from d.
+    static constexpr double phi2_3_{0.03990016645854149};
+    /// Bound of |u|.
+    static constexpr double u_max_{10.0};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{10.0};
 
     /// Gains of least energy of each state, a row for the samples to go of a node.
     static constexpr std::array<std::array<double, 2>, 133> gains_{{

@@ -15,7 +15,7 @@ if ~(isfinite(samples) && (samples == floor(samples)))
     error('in_flight:param', 'samples is %g; legal: whole', samples);
 end
 samples = uint32(mod(samples, 4294967296));
-if ~((uint32(2) < samples) && (samples < uint32(301)))
+if ~((samples > uint32(2)) && (samples < uint32(301)))
     error('in_flight:param', 'k and samples, and what follows, must be finite');
 end
 self.start = k;

@@ -15,6 +15,16 @@ function [u, status, self] = in_flight_step(self, k, y) %#codegen
 %     -3  u not finite
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
+gamma1 = 1.4970872355502905e-5; % prediction from u
+late_gamma1 = 4.995835936198459e-6; % prediction from u
+gamma2 = 0.019925145638222487; % prediction from u
+late_gamma2 = 0.019975020820319007; % prediction from u
+phi1_2 = 0.0009975041614635374; % prediction of x1 from x2
+phi1_3 = 1.9966708291701364e-5; % prediction of x1 from d
+phi2_2 = 0.9950124791926823; % prediction of x2 from x2
+phi2_3 = 0.03990016645854149; % prediction of x2 from d
+u_max = 10.0; % bound of |u|
+hold = 10.0; % samples to go at which the gains are held
 % Gains of least energy of each state, a row for the samples to go of a node.
 gains = [
     -25062.55208331163, -37.45838539928387;
@@ -171,10 +181,10 @@ if self.seen == uint32(0)
     x2 = 0.0;
     d = 0.0;
 else
-    s1 = 1.4970872355502905e-5 * self.u2;
-    x1 = self.x1_next + (s1 + (4.995835936198459e-6 * self.u1));
-    s2 = 0.019925145638222487 * self.u2;
-    x2 = self.x2_next + (s2 + (0.019975020820319007 * self.u1));
+    s1 = (gamma1 * self.u2) + (late_gamma1 * self.u1);
+    x1 = self.x1_next + s1;
+    s2 = (gamma2 * self.u2) + (late_gamma2 * self.u1);
+    x2 = self.x2_next + s2;
     d = self.d_next;
 end
 
@@ -184,14 +194,12 @@ off1 = miss1;
 l1 = 1.7734544314684126;
 l2 = 1088.4380379806641;
 l3 = 8444.061398933449;
-s3 = x1 + (0.0009975041614635374 * x2) + (1.9966708291701364e-5 * d);
-x1_on = s3 + (l1 * off1);
-s4 = (0.9950124791926823 * x2) + (0.03990016645854149 * d);
-x2_on = s4 + (l2 * off1);
+x1_on = x1 + (phi1_2 * x2) + (phi1_3 * d) + (l1 * off1);
+x2_on = (phi2_2 * x2) + (phi2_3 * d) + (l2 * off1);
 d_on = d + (l3 * off1);
 left = self.last - elapsed;
 planned = left - uint32(1);
-if uint32(10) < planned
+if planned > uint32(10)
     to_go = planned;
 else
     to_go = uint32(10);
@@ -213,25 +221,25 @@ else
 end
 
 % The state from which this input acts.
-s5 = 4.995835936198459e-6 * (self.u1 + d);
-p1 = x1 + (0.0004993755205079752 * x2) + s5;
-s6 = 0.019975020820319007 * (self.u1 + d);
-p2 = (0.9975031223974601 * x2) + s6;
+s3 = 4.995835936198459e-6 * (self.u1 + d);
+p1 = x1 + (0.0004993755205079752 * x2) + s3;
+s4 = 0.019975020820319007 * (self.u1 + d);
+p2 = (0.9975031223974601 * x2) + s4;
 
 % The law of least energy.
 above = row + uint32(1);
-s7 = part * (gains(above + 1, 1) - gains(row + 1, 1));
-s8 = part * (gains(above + 1, 2) - gains(row + 1, 2));
-s9 = (gains(row + 1, 1) + s7) * p1;
-v = (s9 + ((gains(row + 1, 2) + s8) * p2)) - d;
+s5 = part * (gains(above + 1, 1) - gains(row + 1, 1));
+s6 = part * (gains(above + 1, 2) - gains(row + 1, 2));
+s7 = (gains(row + 1, 1) + s5) * p1;
+v = (s7 + ((gains(row + 1, 2) + s6) * p2)) - d;
 if ~(isfinite(v) && isfinite(x1_on) && isfinite(x2_on) && isfinite(d_on))
     status = int32(-3);
     return;
 end
-if 10.0 < v
-    u_now = 10.0;
-elseif v < -10.0
-    u_now = -10.0;
+if v > u_max
+    u_now = u_max;
+elseif v < -u_max
+    u_now = -u_max;
 else
     u_now = v;
 end
@@ -244,10 +252,10 @@ self.x2_next = x2_on;
 self.d_hat = d;
 self.d_next = d_on;
 self.seen = uint32(1);
-if (10.0 < v) || (v < -10.0)
+if (v > u_max) || (v < -u_max)
     u = u_now;
     status = int32(2);
-elseif double(left) - 1.0 <= 10.0
+elseif double(left) - 1.0 <= hold
     u = u_now;
     status = int32(1);
 else

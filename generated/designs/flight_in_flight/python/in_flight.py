@@ -102,6 +102,27 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(1.4970872355502905e-5)
+# Prediction from u.
+_LATE_GAMMA1 = _R(4.995835936198459e-6)
+# Prediction from u.
+_GAMMA2 = _R(0.019925145638222487)
+# Prediction from u.
+_LATE_GAMMA2 = _R(0.019975020820319007)
+# Prediction of x1 from x2.
+_PHI1_2 = _R(0.0009975041614635374)
+# Prediction of x1 from d.
+_PHI1_3 = _R(1.9966708291701364e-5)
+# Prediction of x2 from x2.
+_PHI2_2 = _R(0.9950124791926823)
+# Prediction of x2 from d.
+_PHI2_3 = _R(0.03990016645854149)
+# Bound of |u|.
+_U_MAX = _R(10.0)
+# Samples to go at which the gains are held.
+_HOLD = _R(10.0)
+
 # Gains of least energy of each state, a row for the samples to go of a node.
 _GAINS = np.array(
     [
@@ -300,10 +321,10 @@ class InFlight:
                 x2 = _R(0.0)
                 d = _R(0.0)
             else:
-                s1 = 1.4970872355502905e-5 * self._u2
-                x1 = self._x1_next + (s1 + (4.995835936198459e-6 * self._u1))
-                s2 = 0.019925145638222487 * self._u2
-                x2 = self._x2_next + (s2 + (0.019975020820319007 * self._u1))
+                s1 = (_GAMMA1 * self._u2) + (_LATE_GAMMA1 * self._u1)
+                x1 = self._x1_next + s1
+                s2 = (_GAMMA2 * self._u2) + (_LATE_GAMMA2 * self._u1)
+                x2 = self._x2_next + s2
                 d = self._d_next
 
             # Prediction of the next sample.
@@ -312,14 +333,12 @@ class InFlight:
             l1 = _R(1.7734544314684126)
             l2 = _R(1088.4380379806641)
             l3 = _R(8444.061398933449)
-            s3 = x1 + (0.0009975041614635374 * x2) + (1.9966708291701364e-5 * d)
-            x1_on = s3 + (l1 * off1)
-            s4 = (0.9950124791926823 * x2) + (0.03990016645854149 * d)
-            x2_on = s4 + (l2 * off1)
+            x1_on = x1 + (_PHI1_2 * x2) + (_PHI1_3 * d) + (l1 * off1)
+            x2_on = (_PHI2_2 * x2) + (_PHI2_3 * d) + (l2 * off1)
             d_on = d + (l3 * off1)
             left = max(self._last - elapsed, 0)
             planned = max(left - 1, 0)
-            if 10 < planned:
+            if planned > 10:
                 to_go = planned
             else:
                 to_go = 10
@@ -339,17 +358,17 @@ class InFlight:
                 part = (0.125 * _R(to_go)) - _R(to_go // 8)
 
             # The state from which this input acts.
-            s5 = 4.995835936198459e-6 * (self._u1 + d)
-            p1 = x1 + (0.0004993755205079752 * x2) + s5
-            s6 = 0.019975020820319007 * (self._u1 + d)
-            p2 = (0.9975031223974601 * x2) + s6
+            s3 = 4.995835936198459e-6 * (self._u1 + d)
+            p1 = x1 + (0.0004993755205079752 * x2) + s3
+            s4 = 0.019975020820319007 * (self._u1 + d)
+            p2 = (0.9975031223974601 * x2) + s4
 
             # The law of least energy.
             above = row + 1
-            s7 = part * (_GAINS[above, 0] - _GAINS[row, 0])
-            s8 = part * (_GAINS[above, 1] - _GAINS[row, 1])
-            s9 = (_GAINS[row, 0] + s7) * p1
-            v = (s9 + ((_GAINS[row, 1] + s8) * p2)) - d
+            s5 = part * (_GAINS[above, 0] - _GAINS[row, 0])
+            s6 = part * (_GAINS[above, 1] - _GAINS[row, 1])
+            s7 = (_GAINS[row, 0] + s5) * p1
+            v = (s7 + ((_GAINS[row, 1] + s6) * p2)) - d
             if not (
                 np.isfinite(v)
                 and np.isfinite(x1_on)
@@ -357,10 +376,10 @@ class InFlight:
                 and np.isfinite(d_on)
             ):
                 return Control(_R(0.0), Status.RANGE)
-            if 10.0 < v:
-                u_now = _R(10.0)
-            elif v < -10.0:
-                u_now = _R(-10.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -372,9 +391,9 @@ class InFlight:
             self._d_hat = d
             self._d_next = d_on
             self._seen = 1
-            if (10.0 < v) or (v < -10.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) - 1.0 <= 10.0:
+            elif _R(left) - 1.0 <= _HOLD:
                 return Control(u_now, Status.HOLD)
             else:
                 return Control(u_now, Status.OK)
@@ -389,7 +408,7 @@ class InFlight:
         with np.errstate(all="ignore"):
             k = k.__index__() & _WRAP
             samples = samples.__index__() & _WRAP
-            if not ((2 < samples) and (samples < 301)):
+            if not ((samples > 2) and (samples < 301)):
                 raise ValueError("k and samples, and what follows, must be finite")
             self._start = k
             self._last = samples
@@ -407,10 +426,10 @@ class InFlight:
         """
         with np.errstate(all="ignore"):
             xhat = _numbers(xhat, 2, "xhat")
-            s1 = 1.4970872355502905e-5 * self._u2
-            n1 = xhat[0] - (s1 + (4.995835936198459e-6 * self._u1))
-            s2 = 0.019925145638222487 * self._u2
-            n2 = xhat[1] - (s2 + (0.019975020820319007 * self._u1))
+            s1 = (_GAMMA1 * self._u2) + (_LATE_GAMMA1 * self._u1)
+            n1 = xhat[0] - s1
+            s2 = (_GAMMA2 * self._u2) + (_LATE_GAMMA2 * self._u1)
+            n2 = xhat[1] - s2
             if not (np.isfinite(n1) and np.isfinite(n2)):
                 raise ValueError("xhat, and what follows, must be finite")
             self._x1_next = n1

@@ -159,6 +159,27 @@ pub struct InFlight {
     clippy::nursery
 )]
 impl InFlight {
+    /// Prediction from u.
+    const GAMMA1: f64 = 1.4970872355502905e-5;
+    /// Prediction from u.
+    const LATE_GAMMA1: f64 = 4.995835936198459e-6;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.019925145638222487;
+    /// Prediction from u.
+    const LATE_GAMMA2: f64 = 0.019975020820319007;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.0009975041614635374;
+    /// Prediction of x1 from d.
+    const PHI1_3: f64 = 1.9966708291701364e-5;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9950124791926823;
+    /// Prediction of x2 from d.
+    const PHI2_3: f64 = 0.03990016645854149;
+    /// Bound of |u|.
+    const U_MAX: f64 = 10.0;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 10.0;
+
     /// Gains of least energy of each state, a row for the samples to go of a node.
     #[rustfmt::skip]
     const GAINS: &'static [[f64; 2]; 133] = &[
@@ -355,10 +376,10 @@ impl InFlight {
             x2 = 0.0;
             d = 0.0;
         } else {
-            let s1 = 1.4970872355502905e-5 * self.u2;
-            x1 = self.x1_next + (s1 + (4.995835936198459e-6 * self.u1));
-            let s2 = 0.019925145638222487 * self.u2;
-            x2 = self.x2_next + (s2 + (0.019975020820319007 * self.u1));
+            let s1 = (Self::GAMMA1 * self.u2) + (Self::LATE_GAMMA1 * self.u1);
+            x1 = self.x1_next + s1;
+            let s2 = (Self::GAMMA2 * self.u2) + (Self::LATE_GAMMA2 * self.u1);
+            x2 = self.x2_next + s2;
             d = self.d_next;
         }
 
@@ -368,15 +389,13 @@ impl InFlight {
         let l1: f64 = 1.7734544314684126;
         let l2: f64 = 1088.4380379806641;
         let l3: f64 = 8444.061398933449;
-        let s3 = x1 + (0.0009975041614635374 * x2) + (1.9966708291701364e-5 * d);
-        let x1_on = s3 + (l1 * off1);
-        let s4 = (0.9950124791926823 * x2) + (0.03990016645854149 * d);
-        let x2_on = s4 + (l2 * off1);
+        let x1_on = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * d) + (l1 * off1);
+        let x2_on = (Self::PHI2_2 * x2) + (Self::PHI2_3 * d) + (l2 * off1);
         let d_on = d + (l3 * off1);
         let left = self.last.saturating_sub(elapsed);
         let planned = left.saturating_sub(1);
         let to_go: u32;
-        if 10 < planned {
+        if planned > 10 {
             to_go = planned;
         } else {
             to_go = 10;
@@ -400,26 +419,26 @@ impl InFlight {
         }
 
         // The state from which this input acts.
-        let s5 = 4.995835936198459e-6 * (self.u1 + d);
-        let p1 = x1 + (0.0004993755205079752 * x2) + s5;
-        let s6 = 0.019975020820319007 * (self.u1 + d);
-        let p2 = (0.9975031223974601 * x2) + s6;
+        let s3 = 4.995835936198459e-6 * (self.u1 + d);
+        let p1 = x1 + (0.0004993755205079752 * x2) + s3;
+        let s4 = 0.019975020820319007 * (self.u1 + d);
+        let p2 = (0.9975031223974601 * x2) + s4;
 
         // The law of least energy.
         let above = row + 1;
         let v: f64;
-        let s7 = part * (Self::GAINS[above as usize][0] - Self::GAINS[row as usize][0]);
-        let s8 = part * (Self::GAINS[above as usize][1] - Self::GAINS[row as usize][1]);
-        let s9 = (Self::GAINS[row as usize][0] + s7) * p1;
-        v = (s9 + ((Self::GAINS[row as usize][1] + s8) * p2)) - d;
+        let s5 = part * (Self::GAINS[above as usize][0] - Self::GAINS[row as usize][0]);
+        let s6 = part * (Self::GAINS[above as usize][1] - Self::GAINS[row as usize][1]);
+        let s7 = (Self::GAINS[row as usize][0] + s5) * p1;
+        v = (s7 + ((Self::GAINS[row as usize][1] + s6) * p2)) - d;
         if !(v.is_finite() && x1_on.is_finite() && x2_on.is_finite() && d_on.is_finite()) {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 10.0 < v {
-            u_now = 10.0;
-        } else if v < -10.0 {
-            u_now = -10.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -432,9 +451,9 @@ impl InFlight {
         self.d_hat = d;
         self.d_next = d_on;
         self.seen = 1;
-        let status = if (10.0 < v) || (v < -10.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if (left as f64) - 1.0 <= 10.0 {
+        } else if (left as f64) - 1.0 <= Self::HOLD {
             Status::Hold
         } else {
             Status::Ok
@@ -449,7 +468,7 @@ impl InFlight {
     /// `Param`: the number of samples is out of its range.
     #[inline]
     pub fn arm_for(&mut self, k: u32, samples: u32) -> Result<(), Error> {
-        if !((2 < samples) && (samples < 301)) {
+        if !((samples > 2) && (samples < 301)) {
             return Err(Error::Param);
         }
         self.start = k;
@@ -470,10 +489,10 @@ impl InFlight {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn assume(&mut self, xhat: &[f64; 2]) -> Result<(), Error> {
-        let s1 = 1.4970872355502905e-5 * self.u2;
-        let n1 = xhat[0] - (s1 + (4.995835936198459e-6 * self.u1));
-        let s2 = 0.019925145638222487 * self.u2;
-        let n2 = xhat[1] - (s2 + (0.019975020820319007 * self.u1));
+        let s1 = (Self::GAMMA1 * self.u2) + (Self::LATE_GAMMA1 * self.u1);
+        let n1 = xhat[0] - s1;
+        let s2 = (Self::GAMMA2 * self.u2) + (Self::LATE_GAMMA2 * self.u1);
+        let n2 = xhat[1] - s2;
         if !(n1.is_finite() && n2.is_finite()) {
             return Err(Error::Input);
         }

@@ -33,6 +33,36 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define LATE_STAGE_PHI1_2 0.001 /* 1/1000, prediction of x1 from x2 */
+#define LATE_STAGE_PHI1_3 3.3333333333333335e-7 /* 1/3000000, prediction of x1 from d */
+#define LATE_STAGE_GAMMA1 3.3333333333333335e-7 /* 1/3000000, prediction from u */
+#define LATE_STAGE_PHI2_3 0.0006666666666666666 /* 1/1500, prediction of x2 from d */
+#define LATE_STAGE_GAMMA2 0.0006666666666666666 /* 1/1500, prediction from u */
+#define LATE_STAGE_HOLD_O 30.0 /* samples to go at which the observer is held */
+#define LATE_STAGE_Q1_1 120.0 /* weight in the observer's gain l1 */
+#define LATE_STAGE_Q1_2 (-60.0) /* weight in the observer's gain l1 */
+#define LATE_STAGE_Q1_3 12.0 /* weight in the observer's gain l1 */
+#define LATE_STAGE_Q2_1 (-108000.0) /* weight in the observer's gain l2 */
+#define LATE_STAGE_Q2_2 36000.0 /* weight in the observer's gain l2 */
+#define LATE_STAGE_Q3_1 36000000.0 /* weight in the observer's gain l3 */
+#define LATE_STAGE_S1_1 1500000.0 /* weight of x1 in the law */
+#define LATE_STAGE_S1_2 750.0 /* weight of x2 in the law */
+#define LATE_STAGE_S2_2 1500.0 /* weight of x2 in the law */
+#define LATE_STAGE_U_MAX 6.0 /* bound of |u| */
+#define LATE_STAGE_HOLD 20.0 /* samples to go at which the gains are held */
+#define LATE_STAGE_END_SAMPLES 50.0 /* samples to go at which the law of the end takes over */
+#define LATE_STAGE_W1_1 (-9000000.0) /* weight of x1 in the law */
+#define LATE_STAGE_W1_2 (-4500.0) /* weight of x2 in the law */
+#define LATE_STAGE_W2_2 (-6000.0) /* weight of x2 in the law */
+#define LATE_STAGE_W2_3 (-4.0) /* weight of u1 in the law */
+#define LATE_STAGE_END1_1 (-18000000.0) /* weight of x1 in the law */
+#define LATE_STAGE_END1_2 (-9000.0) /* weight of x2 in the law */
+#define LATE_STAGE_END2_2 (-9000.0) /* weight of x2 in the law */
+#define LATE_STAGE_END2_3 (-6.0) /* weight of u1 in the law */
+#define LATE_STAGE_BACK1_2 (-0.001) /* -1/1000, a state of a sample ago */
+#define LATE_STAGE_BACK1_3 3.3333333333333335e-7 /* 1/3000000, a state of a sample ago */
+#define LATE_STAGE_BACK2_3 (-0.0006666666666666666) /* -1/1500, a state of a sample ago */
 ptc_status late_stage_init(late_stage *self, const late_stage_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -85,11 +115,11 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
-            const double s1 = self->x1_hat + (0.001 * self->x2_hat);
-            const double s2 = s1 + (3.3333333333333335e-7 * self->d_hat);
-            const double p1 = s2 + (3.3333333333333335e-7 * self->u2);
-            const double s3 = self->x2_hat + (0.0006666666666666666 * self->d_hat);
-            const double p2 = s3 + (0.0006666666666666666 * self->u2);
+            const double s1 = self->x1_hat + (LATE_STAGE_PHI1_2 * self->x2_hat);
+            const double s2 = s1 + (LATE_STAGE_PHI1_3 * self->d_hat);
+            const double p1 = s2 + (LATE_STAGE_GAMMA1 * self->u2);
+            const double s3 = self->x2_hat + (LATE_STAGE_PHI2_3 * self->d_hat);
+            const double p2 = s3 + (LATE_STAGE_GAMMA2 * self->u2);
             const double p3 = self->d_hat;
 
             /* Correct by what is measured. */
@@ -103,16 +133,15 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
                 miss = y[0] - p1;
             }
             const uint32_t left_o = (elapsed < self->round) ? (self->round - elapsed) : 0U;
-            const double o0 = ((double)left_o < 30.0) ? 30.0 : (double)left_o;
+            const double o0 = ((double)left_o < LATE_STAGE_HOLD_O) ? LATE_STAGE_HOLD_O : (double)left_o;
             double l1;
             double l2;
             double l3;
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-            l3 = 36000000.0 * r0 * r1 * r2;
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (LATE_STAGE_Q1_1 + (LATE_STAGE_Q1_2 * o0) + (LATE_STAGE_Q1_3 * o0f2)) * r0;
+            l2 = (LATE_STAGE_Q2_1 + (LATE_STAGE_Q2_2 * o0)) * r0;
+            l3 = LATE_STAGE_Q3_1 * r0;
             const double x1 = base + (l1 * miss);
             const double x2 = p2 + (l2 * miss);
             const double d = p3 + (l3 * miss);
@@ -122,19 +151,19 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
             uint32_t late = 0U;
             const uint32_t to_rest = (elapsed < self->last) ? (self->last - elapsed) : 0U;
             const uint32_t ahead = (1U < to_rest) ? (to_rest - 1U) : 0U;
-            const double flat1 = (1500000.0 * x1) + (750.0 * x2);
-            const double flat2 = (1500.0 * x2) + (self->u1 + d);
+            const double flat1 = (LATE_STAGE_S1_1 * x1) + (LATE_STAGE_S1_2 * x2);
+            const double flat2 = (LATE_STAGE_S2_2 * x2) + (self->u1 + d);
             uint32_t low = (1U < ahead) ? (ahead - 1U) : 0U;
             uint32_t top = 1073741825U;
             uint32_t kept = 0U;
             uint32_t tried = ahead;
             double part = 0.9999999999998739;
             for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
-                const double least = ((-6.0) * part) + d;
-                const double most = (6.0 * part) + d;
+                const double least = ((-LATE_STAGE_U_MAX) * part) + d;
+                const double most = (LATE_STAGE_U_MAX * part) + d;
                 const double within = (-least < most) ? -least : most;
                 uint32_t fits = 0U;
-                if (50U < tried) {
+                if (tried > 50U) {
                     const double m = (double)tried;
                     const double power1 = m + 1.0;
                     const double power2 = power1 * m;
@@ -179,7 +208,7 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
                         && (fabs((2.8712027904432142 * w1) + (99.5000219686458 * w2)) <= 0.9850746268656713 * within)) {
                         fits = 1U;
                     }
-                } else if (20U < tried) {
+                } else if (tried > 20U) {
                     const double m = (double)tried;
                     const double power1 = m + 2.0;
                     const double power2 = power1 * (m + 1.0);
@@ -236,7 +265,7 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
                 if (fits == 1U) {
                     kept = tried;
                     top = tried;
-                } else if (20U < tried) {
+                } else if (tried > 20U) {
                     low = tried;
                 } else {
                     low = 20U;
@@ -256,35 +285,37 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
             if ((ahead < kept) && (elapsed < 2147483648U)) {
                 last_now = (elapsed + kept) + 1U;
             }
-            if ((kept == 0U) && (0U < ahead)) {
+            if ((kept == 0U) && (ahead > 0U)) {
                 late = 2U;
             }
-            if (self->last < last_now) {
+            if (last_now > self->last) {
                 late = 1U;
             }
             const uint32_t left = (elapsed < last_now) ? (last_now - elapsed) : 0U;
             const double s6 = ((double)left) - 1.0;
-            const double m0 = (s6 < 20.0) ? 20.0 : s6;
+            const double m0 = (s6 < LATE_STAGE_HOLD) ? LATE_STAGE_HOLD : s6;
             double v;
-            if (50.0 < m0) {
+            if (m0 > LATE_STAGE_END_SAMPLES) {
                 /* The exact law in samples. */
-                const double z1 = ((-9000000.0) * x1) - (4500.0 * x2);
-                const double z2 = ((-6000.0) * x2) - (4.0 * (self->u1 + d));
-                v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+                const double z1 = (LATE_STAGE_W1_1 * x1) + (LATE_STAGE_W1_2 * x2);
+                const double z2 = (LATE_STAGE_W2_2 * x2) + (LATE_STAGE_W2_3 * (self->u1 + d));
+                const double m0f1 = m0 + 1.0;
+                v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d;
             } else {
                 /* The law of least energy to the end. */
                 const double m1 = (m0 < 2.0) ? 2.0 : m0;
-                const double y1 = ((-18000000.0) * x1) - (9000.0 * x2);
-                const double y2 = ((-9000.0) * x2) - (6.0 * (self->u1 + d));
-                v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+                const double y1 = (LATE_STAGE_END1_1 * x1) + (LATE_STAGE_END1_2 * x2);
+                const double y2 = (LATE_STAGE_END2_2 * x2) + (LATE_STAGE_END2_3 * (self->u1 + d));
+                const double m1f1 = m1 + 2.0;
+                v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d;
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
-                if (6.0 < v) {
-                    u_now = 6.0;
-                } else if (v < -6.0) {
-                    u_now = -6.0;
+                if (v > LATE_STAGE_U_MAX) {
+                    u_now = LATE_STAGE_U_MAX;
+                } else if (v < -LATE_STAGE_U_MAX) {
+                    u_now = -LATE_STAGE_U_MAX;
                 } else {
                     u_now = v;
                 }
@@ -296,9 +327,9 @@ ptc_status late_stage_step(late_stage *self, uint32_t k, const double y[1], doub
                 self->d_hat = d;
                 self->seen = 1U;
                 *u = u_now;
-                if ((6.0 < v) || (v < -6.0)) {
+                if ((v > LATE_STAGE_U_MAX) || (v < -LATE_STAGE_U_MAX)) {
                     status = PTC_SATURATED;
-                } else if (((double)left) - 1.0 <= 20.0) {
+                } else if (((double)left) - 1.0 <= LATE_STAGE_HOLD) {
                     status = PTC_HOLD;
                 } else if (late == 2U) {
                     status = PTC_INFEASIBLE;
@@ -318,7 +349,7 @@ ptc_status late_stage_arm_for(late_stage *self, uint32_t k, uint32_t samples)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if ((2U < samples) && (samples < 2147483649U)) {
+        if ((samples > 2U) && (samples < 2147483649U)) {
             const uint32_t elapsed = k - self->start;
             self->round = (elapsed < self->round) ? (self->round - elapsed) : 0U;
             self->start = k;
@@ -334,27 +365,27 @@ ptc_status late_stage_soonest(const late_stage *self, uint32_t *samples)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (samples != NULL)) {
-        const double s1 = self->x1_hat + (0.001 * self->x2_hat);
-        const double s2 = s1 + (3.3333333333333335e-7 * self->d_hat);
-        const double p1 = s2 + (3.3333333333333335e-7 * self->u2);
-        const double s3 = self->x2_hat + (0.0006666666666666666 * self->d_hat);
-        const double p2 = s3 + (0.0006666666666666666 * self->u2);
+        const double s1 = self->x1_hat + (LATE_STAGE_PHI1_2 * self->x2_hat);
+        const double s2 = s1 + (LATE_STAGE_PHI1_3 * self->d_hat);
+        const double p1 = s2 + (LATE_STAGE_GAMMA1 * self->u2);
+        const double s3 = self->x2_hat + (LATE_STAGE_PHI2_3 * self->d_hat);
+        const double p2 = s3 + (LATE_STAGE_GAMMA2 * self->u2);
         const double p3 = self->d_hat;
         const double x1 = p1;
         const double x2 = p2;
         const double d = p3;
-        const double flat1 = (1500000.0 * x1) + (750.0 * x2);
-        const double flat2 = (1500.0 * x2) + (self->u1 + d);
+        const double flat1 = (LATE_STAGE_S1_1 * x1) + (LATE_STAGE_S1_2 * x2);
+        const double flat2 = (LATE_STAGE_S2_2 * x2) + (self->u1 + d);
         uint32_t low = 20U;
         uint32_t top = 1073741825U;
         uint32_t kept = 0U;
         uint32_t tried = 21U;
         for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = (0.899999999999773 * (-6.0)) + d;
-            const double most = 5.399999999998638 + d;
+            const double least = (0.899999999999773 * (-LATE_STAGE_U_MAX)) + d;
+            const double most = (0.899999999999773 * LATE_STAGE_U_MAX) + d;
             const double within = (-least < most) ? -least : most;
             uint32_t fits = 0U;
-            if (50U < tried) {
+            if (tried > 50U) {
                 const double m = (double)tried;
                 const double power1 = m + 1.0;
                 const double power2 = power1 * m;
@@ -462,7 +493,7 @@ ptc_status late_stage_soonest(const late_stage *self, uint32_t *samples)
             }
         }
         if (PTC_FINITE_F64(flat1) && PTC_FINITE_F64(flat2)) {
-            if (0U < kept) {
+            if (kept > 0U) {
                 *samples = kept + 1U;
                 status = PTC_OK;
             } else {
@@ -505,10 +536,10 @@ ptc_status late_stage_assume(late_stage *self, const double xhat[2])
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (xhat != NULL)) {
-        const double g1 = xhat[0] - (3.3333333333333335e-7 * self->u2);
-        const double g2 = xhat[1] - (0.0006666666666666666 * self->u2);
-        const double n1 = (g1 - (0.001 * g2)) + (3.3333333333333335e-7 * self->d_hat);
-        const double n2 = g2 - (0.0006666666666666666 * self->d_hat);
+        const double g1 = xhat[0] - (LATE_STAGE_GAMMA1 * self->u2);
+        const double g2 = xhat[1] - (LATE_STAGE_GAMMA2 * self->u2);
+        const double n1 = g1 + (LATE_STAGE_BACK1_2 * g2) + (LATE_STAGE_BACK1_3 * self->d_hat);
+        const double n2 = g2 + (LATE_STAGE_BACK2_3 * self->d_hat);
         if (PTC_FINITE_F64(n1) && PTC_FINITE_F64(n2)) {
             self->x1_hat = n1;
             self->x2_hat = n2;

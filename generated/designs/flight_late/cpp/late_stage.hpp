@@ -54,8 +54,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef LATE_STAGE_AE212476_HPP
-#define LATE_STAGE_AE212476_HPP
+#ifndef LATE_STAGE_870F6D8D_HPP
+#define LATE_STAGE_870F6D8D_HPP
 
 #include <array>
 #include <cfloat>
@@ -176,11 +176,11 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const double s1 = x1_hat_ + (0.001 * x2_hat_);
-        const double s2 = s1 + (3.3333333333333335e-7 * d_hat_);
-        const double p1 = s2 + (3.3333333333333335e-7 * u2_);
-        const double s3 = x2_hat_ + (0.0006666666666666666 * d_hat_);
-        const double p2 = s3 + (0.0006666666666666666 * u2_);
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double s2 = s1 + (phi1_3_ * d_hat_);
+        const double p1 = s2 + (gamma1_ * u2_);
+        const double s3 = x2_hat_ + (phi2_3_ * d_hat_);
+        const double p2 = s3 + (gamma2_ * u2_);
         const double p3 = d_hat_;
 
         // Correct by what is measured.
@@ -194,16 +194,15 @@ public:
             miss = y[0] - p1;
         }
         const std::uint32_t left_o = (elapsed < round_) ? (round_ - elapsed) : 0U;
-        const double o0 = (static_cast<double>(left_o) < 30.0) ? 30.0 : static_cast<double>(left_o);
+        const double o0 = (static_cast<double>(left_o) < hold_o_) ? hold_o_ : static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
-        const double r0 = 1.0 / o0;
-        const double r1 = 1.0 / (o0 - 1.0);
-        const double r2 = 1.0 / (o0 - 2.0);
-        l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-        l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-        l3 = 36000000.0 * r0 * r1 * r2;
+        const double o0f2 = o0 * (o0 - 1.0);
+        const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+        l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+        l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+        l3 = q3_1_ * r0;
         const double x1 = base + (l1 * miss);
         const double x2 = p2 + (l2 * miss);
         const double d = p3 + (l3 * miss);
@@ -213,19 +212,19 @@ public:
         std::uint32_t late = 0U;
         const std::uint32_t to_rest = (elapsed < last_) ? (last_ - elapsed) : 0U;
         const std::uint32_t ahead = (1U < to_rest) ? (to_rest - 1U) : 0U;
-        const double flat1 = (1500000.0 * x1) + (750.0 * x2);
-        const double flat2 = (1500.0 * x2) + (u1_ + d);
+        const double flat1 = (s1_1_ * x1) + (s1_2_ * x2);
+        const double flat2 = (s2_2_ * x2) + (u1_ + d);
         std::uint32_t low = (1U < ahead) ? (ahead - 1U) : 0U;
         std::uint32_t top = 1073741825U;
         std::uint32_t kept = 0U;
         std::uint32_t tried = ahead;
         double part = 0.9999999999998739;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = ((-6.0) * part) + d;
-            const double most = (6.0 * part) + d;
+            const double least = ((-u_max_) * part) + d;
+            const double most = (u_max_ * part) + d;
             const double within = (-least < most) ? -least : most;
             std::uint32_t fits = 0U;
-            if (50U < tried) {
+            if (tried > 50U) {
                 const double m = static_cast<double>(tried);
                 const double power1 = m + 1.0;
                 const double power2 = power1 * m;
@@ -270,7 +269,7 @@ public:
                     && (absolute((2.8712027904432142 * w1) + (99.5000219686458 * w2)) <= 0.9850746268656713 * within)) {
                     fits = 1U;
                 }
-            } else if (20U < tried) {
+            } else if (tried > 20U) {
                 const double m = static_cast<double>(tried);
                 const double power1 = m + 2.0;
                 const double power2 = power1 * (m + 1.0);
@@ -325,7 +324,7 @@ public:
             if (fits == 1U) {
                 kept = tried;
                 top = tried;
-            } else if (20U < tried) {
+            } else if (tried > 20U) {
                 low = tried;
             } else {
                 low = 20U;
@@ -345,36 +344,38 @@ public:
         if ((ahead < kept) && (elapsed < 2147483648U)) {
             last_now = (elapsed + kept) + 1U;
         }
-        if ((kept == 0U) && (0U < ahead)) {
+        if ((kept == 0U) && (ahead > 0U)) {
             late = 2U;
         }
-        if (last_ < last_now) {
+        if (last_now > last_) {
             late = 1U;
         }
         const std::uint32_t left = (elapsed < last_now) ? (last_now - elapsed) : 0U;
         const double s6 = static_cast<double>(left) - 1.0;
-        const double m0 = (s6 < 20.0) ? 20.0 : s6;
+        const double m0 = (s6 < hold_) ? hold_ : s6;
         double v{};
-        if (50.0 < m0) {
+        if (m0 > end_samples_) {
             // The exact law in samples.
-            const double z1 = ((-9000000.0) * x1) - (4500.0 * x2);
-            const double z2 = ((-6000.0) * x2) - (4.0 * (u1_ + d));
-            v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+            const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+            const double z2 = (w2_2_ * x2) + (w2_3_ * (u1_ + d));
+            const double m0f1 = m0 + 1.0;
+            v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d;
         } else {
             // The law of least energy to the end.
             const double m1 = (m0 < 2.0) ? 2.0 : m0;
-            const double y1 = ((-18000000.0) * x1) - (9000.0 * x2);
-            const double y2 = ((-9000.0) * x2) - (6.0 * (u1_ + d));
-            v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+            const double y1 = (end1_1_ * x1) + (end1_2_ * x2);
+            const double y2 = (end2_2_ * x2) + (end2_3_ * (u1_ + d));
+            const double m1f1 = m1 + 2.0;
+            v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d;
         }
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (6.0 < v) {
-            u_now = 6.0;
-        } else if (v < -6.0) {
-            u_now = -6.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -385,9 +386,9 @@ public:
         x2_hat_ = x2;
         d_hat_ = d;
         seen_ = 1U;
-        if ((6.0 < v) || (v < -6.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) - 1.0 <= 20.0) {
+        } else if (static_cast<double>(left) - 1.0 <= hold_) {
             return {u_now, Status::Hold};
         } else if (late == 2U) {
             return {u_now, Status::Infeasible};
@@ -403,7 +404,7 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm_for(std::uint32_t k, std::uint32_t samples) noexcept
     {
-        if (!((2U < samples) && (samples < 2147483649U))) {
+        if (!((samples > 2U) && (samples < 2147483649U))) {
             return Status::Param;
         }
         const std::uint32_t elapsed = k - start_;
@@ -419,27 +420,27 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Value<std::uint32_t> soonest() const noexcept
     {
-        const double s1 = x1_hat_ + (0.001 * x2_hat_);
-        const double s2 = s1 + (3.3333333333333335e-7 * d_hat_);
-        const double p1 = s2 + (3.3333333333333335e-7 * u2_);
-        const double s3 = x2_hat_ + (0.0006666666666666666 * d_hat_);
-        const double p2 = s3 + (0.0006666666666666666 * u2_);
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double s2 = s1 + (phi1_3_ * d_hat_);
+        const double p1 = s2 + (gamma1_ * u2_);
+        const double s3 = x2_hat_ + (phi2_3_ * d_hat_);
+        const double p2 = s3 + (gamma2_ * u2_);
         const double p3 = d_hat_;
         const double x1 = p1;
         const double x2 = p2;
         const double d = p3;
-        const double flat1 = (1500000.0 * x1) + (750.0 * x2);
-        const double flat2 = (1500.0 * x2) + (u1_ + d);
+        const double flat1 = (s1_1_ * x1) + (s1_2_ * x2);
+        const double flat2 = (s2_2_ * x2) + (u1_ + d);
         std::uint32_t low = 20U;
         std::uint32_t top = 1073741825U;
         std::uint32_t kept = 0U;
         std::uint32_t tried = 21U;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = (0.899999999999773 * (-6.0)) + d;
-            const double most = 5.399999999998638 + d;
+            const double least = (0.899999999999773 * (-u_max_)) + d;
+            const double most = (0.899999999999773 * u_max_) + d;
             const double within = (-least < most) ? -least : most;
             std::uint32_t fits = 0U;
-            if (50U < tried) {
+            if (tried > 50U) {
                 const double m = static_cast<double>(tried);
                 const double power1 = m + 1.0;
                 const double power2 = power1 * m;
@@ -547,7 +548,7 @@ public:
             }
         }
         if (finite(flat1) && finite(flat2)) {
-            if (0U < kept) {
+            if (kept > 0U) {
                 return {kept + 1U, Status::Ok};
             } else {
                 return {0, Status::Soon};
@@ -581,10 +582,10 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status assume(const std::array<double, 2>& xhat) noexcept
     {
-        const double g1 = xhat[0] - (3.3333333333333335e-7 * u2_);
-        const double g2 = xhat[1] - (0.0006666666666666666 * u2_);
-        const double n1 = (g1 - (0.001 * g2)) + (3.3333333333333335e-7 * d_hat_);
-        const double n2 = g2 - (0.0006666666666666666 * d_hat_);
+        const double g1 = xhat[0] - (gamma1_ * u2_);
+        const double g2 = xhat[1] - (gamma2_ * u2_);
+        const double n1 = g1 + (back1_2_ * g2) + (back1_3_ * d_hat_);
+        const double n2 = g2 + (back2_3_ * d_hat_);
         if (!(finite(n1) && finite(n2))) {
             return Status::Input;
         }
@@ -639,6 +640,64 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// 1/1000, prediction of x1 from x2.
+    static constexpr double phi1_2_{0.001};
+    /// 1/3000000, prediction of x1 from d.
+    static constexpr double phi1_3_{3.3333333333333335e-7};
+    /// 1/3000000, prediction from u.
+    static constexpr double gamma1_{3.3333333333333335e-7};
+    /// 1/1500, prediction of x2 from d.
+    static constexpr double phi2_3_{0.0006666666666666666};
+    /// 1/1500, prediction from u.
+    static constexpr double gamma2_{0.0006666666666666666};
+    /// Samples to go at which the observer is held.
+    static constexpr double hold_o_{30.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{120.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-60.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{12.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{-108000.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{36000.0};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{36000000.0};
+    /// Weight of x1 in the law.
+    static constexpr double s1_1_{1500000.0};
+    /// Weight of x2 in the law.
+    static constexpr double s1_2_{750.0};
+    /// Weight of x2 in the law.
+    static constexpr double s2_2_{1500.0};
+    /// Bound of |u|.
+    static constexpr double u_max_{6.0};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{20.0};
+    /// Samples to go at which the law of the end takes over.
+    static constexpr double end_samples_{50.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-9000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{-4500.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-6000.0};
+    /// Weight of u1 in the law.
+    static constexpr double w2_3_{-4.0};
+    /// Weight of x1 in the law.
+    static constexpr double end1_1_{-18000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double end1_2_{-9000.0};
+    /// Weight of x2 in the law.
+    static constexpr double end2_2_{-9000.0};
+    /// Weight of u1 in the law.
+    static constexpr double end2_3_{-6.0};
+    /// -1/1000, a state of a sample ago.
+    static constexpr double back1_2_{-0.001};
+    /// 1/3000000, a state of a sample ago.
+    static constexpr double back1_3_{3.3333333333333335e-7};
+    /// -1/1500, a state of a sample ago.
+    static constexpr double back2_3_{-0.0006666666666666666};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t last_{}; // samples from the start to rest, as planned now

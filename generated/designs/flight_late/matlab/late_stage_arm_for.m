@@ -15,7 +15,7 @@ if ~(isfinite(samples) && (samples == floor(samples)))
     error('late_stage:param', 'samples is %g; legal: whole', samples);
 end
 samples = uint32(mod(samples, 4294967296));
-if ~((uint32(2) < samples) && (samples < uint32(2147483649)))
+if ~((samples > uint32(2)) && (samples < uint32(2147483649)))
     error('late_stage:param', 'k and samples, and what follows, must be finite');
 end
 elapsed = uint32(mod(double(k) - double(self.start), 4294967296));

@@ -16,28 +16,37 @@ function [samples, status] = late_stage_soonest(self) %#codegen
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 %     -4  there is none
 
+phi1_2 = 0.001; % 1/1000, prediction of x1 from x2
+phi1_3 = 3.3333333333333335e-7; % 1/3000000, prediction of x1 from d
+gamma1 = 3.3333333333333335e-7; % 1/3000000, prediction from u
+phi2_3 = 0.0006666666666666666; % 1/1500, prediction of x2 from d
+gamma2 = 0.0006666666666666666; % 1/1500, prediction from u
+s1_1 = 1500000.0; % weight of x1 in the law
+s1_2 = 750.0; % weight of x2 in the law
+s2_2 = 1500.0; % weight of x2 in the law
+u_max = 6.0; % bound of |u|
 samples = uint32(0);
-s1 = self.x1_hat + (0.001 * self.x2_hat);
-s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
-p1 = s2 + (3.3333333333333335e-7 * self.u2);
-s3 = self.x2_hat + (0.0006666666666666666 * self.d_hat);
-p2 = s3 + (0.0006666666666666666 * self.u2);
+s1 = self.x1_hat + (phi1_2 * self.x2_hat);
+s2 = s1 + (phi1_3 * self.d_hat);
+p1 = s2 + (gamma1 * self.u2);
+s3 = self.x2_hat + (phi2_3 * self.d_hat);
+p2 = s3 + (gamma2 * self.u2);
 p3 = self.d_hat;
 x1 = p1;
 x2 = p2;
 d = p3;
-flat1 = (1500000.0 * x1) + (750.0 * x2);
-flat2 = (1500.0 * x2) + (self.u1 + d);
+flat1 = (s1_1 * x1) + (s1_2 * x2);
+flat2 = (s2_2 * x2) + (self.u1 + d);
 low = uint32(20);
 top = uint32(1073741825);
 kept = uint32(0);
 tried = uint32(21);
 for attempt = 0:63
-    least = (0.899999999999773 * (-6.0)) + d;
-    most = 5.399999999998638 + d;
+    least = (0.899999999999773 * (-u_max)) + d;
+    most = (0.899999999999773 * u_max) + d;
     within = pick(-least < most, -least, most);
     fits = uint32(0);
-    if uint32(50) < tried
+    if tried > uint32(50)
         m = double(tried);
         power1 = m + 1.0;
         power2 = power1 * m;
@@ -145,7 +154,7 @@ for attempt = 0:63
     end
 end
 if isfinite(flat1) && isfinite(flat2)
-    if uint32(0) < kept
+    if kept > uint32(0)
         samples = kept + uint32(1);
         status = int32(0);
     else

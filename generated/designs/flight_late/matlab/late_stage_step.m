@@ -15,6 +15,32 @@ function [u, status, self] = late_stage_step(self, k, y) %#codegen
 %     -3  u not finite
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
+phi1_2 = 0.001; % 1/1000, prediction of x1 from x2
+phi1_3 = 3.3333333333333335e-7; % 1/3000000, prediction of x1 from d
+gamma1 = 3.3333333333333335e-7; % 1/3000000, prediction from u
+phi2_3 = 0.0006666666666666666; % 1/1500, prediction of x2 from d
+gamma2 = 0.0006666666666666666; % 1/1500, prediction from u
+hold_o = 30.0; % samples to go at which the observer is held
+q1_1 = 120.0; % weight in the observer's gain l1
+q1_2 = -60.0; % weight in the observer's gain l1
+q1_3 = 12.0; % weight in the observer's gain l1
+q2_1 = -108000.0; % weight in the observer's gain l2
+q2_2 = 36000.0; % weight in the observer's gain l2
+q3_1 = 36000000.0; % weight in the observer's gain l3
+s1_1 = 1500000.0; % weight of x1 in the law
+s1_2 = 750.0; % weight of x2 in the law
+s2_2 = 1500.0; % weight of x2 in the law
+u_max = 6.0; % bound of |u|
+hold = 20.0; % samples to go at which the gains are held
+end_samples = 50.0; % samples to go at which the law of the end takes over
+w1_1 = -9000000.0; % weight of x1 in the law
+w1_2 = -4500.0; % weight of x2 in the law
+w2_2 = -6000.0; % weight of x2 in the law
+w2_3 = -4.0; % weight of u1 in the law
+end1_1 = -18000000.0; % weight of x1 in the law
+end1_2 = -9000.0; % weight of x2 in the law
+end2_2 = -9000.0; % weight of x2 in the law
+end2_3 = -6.0; % weight of u1 in the law
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -30,11 +56,11 @@ end
 elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 
 % Predict.
-s1 = self.x1_hat + (0.001 * self.x2_hat);
-s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
-p1 = s2 + (3.3333333333333335e-7 * self.u2);
-s3 = self.x2_hat + (0.0006666666666666666 * self.d_hat);
-p2 = s3 + (0.0006666666666666666 * self.u2);
+s1 = self.x1_hat + (phi1_2 * self.x2_hat);
+s2 = s1 + (phi1_3 * self.d_hat);
+p1 = s2 + (gamma1 * self.u2);
+s3 = self.x2_hat + (phi2_3 * self.d_hat);
+p2 = s3 + (gamma2 * self.u2);
 p3 = self.d_hat;
 
 % Correct by what is measured.
@@ -46,13 +72,12 @@ else
     miss = y(1) - p1;
 end
 left_o = self.round - elapsed;
-o0 = pick(double(left_o) < 30.0, 30.0, double(left_o));
-r0 = 1.0 / o0;
-r1 = 1.0 / (o0 - 1.0);
-r2 = 1.0 / (o0 - 2.0);
-l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-l3 = 36000000.0 * r0 * r1 * r2;
+o0 = pick(double(left_o) < hold_o, hold_o, double(left_o));
+o0f2 = o0 * (o0 - 1.0);
+r0 = 1.0 / (o0f2 * (o0 - 2.0));
+l1 = (q1_1 + (q1_2 * o0) + (q1_3 * o0f2)) * r0;
+l2 = (q2_1 + (q2_2 * o0)) * r0;
+l3 = q3_1 * r0;
 x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);
@@ -62,19 +87,19 @@ last_now = self.last;
 late = uint32(0);
 to_rest = self.last - elapsed;
 ahead = to_rest - uint32(1);
-flat1 = (1500000.0 * x1) + (750.0 * x2);
-flat2 = (1500.0 * x2) + (self.u1 + d);
+flat1 = (s1_1 * x1) + (s1_2 * x2);
+flat2 = (s2_2 * x2) + (self.u1 + d);
 low = ahead - uint32(1);
 top = uint32(1073741825);
 kept = uint32(0);
 tried = ahead;
 part = 0.9999999999998739;
 for attempt = 0:63
-    least = ((-6.0) * part) + d;
-    most = (6.0 * part) + d;
+    least = ((-u_max) * part) + d;
+    most = (u_max * part) + d;
     within = pick(-least < most, -least, most);
     fits = uint32(0);
-    if uint32(50) < tried
+    if tried > uint32(50)
         m = double(tried);
         power1 = m + 1.0;
         power2 = power1 * m;
@@ -119,7 +144,7 @@ for attempt = 0:63
             && (abs((2.8712027904432142 * w1) + (99.5000219686458 * w2)) <= 0.9850746268656713 * within)
             fits = uint32(1);
         end
-    elseif uint32(20) < tried
+    elseif tried > uint32(20)
         m = double(tried);
         power1 = m + 2.0;
         power2 = power1 * (m + 1.0);
@@ -174,7 +199,7 @@ for attempt = 0:63
     if fits == uint32(1)
         kept = tried;
         top = tried;
-    elseif uint32(20) < tried
+    elseif tried > uint32(20)
         low = tried;
     else
         low = uint32(20);
@@ -194,35 +219,37 @@ end
 if (ahead < kept) && (elapsed < uint32(2147483648))
     last_now = (elapsed + kept) + uint32(1);
 end
-if (kept == uint32(0)) && (uint32(0) < ahead)
+if (kept == uint32(0)) && (ahead > uint32(0))
     late = uint32(2);
 end
-if self.last < last_now
+if last_now > self.last
     late = uint32(1);
 end
 left = last_now - elapsed;
 s6 = double(left) - 1.0;
-m0 = pick(s6 < 20.0, 20.0, s6);
-if 50.0 < m0
+m0 = pick(s6 < hold, hold, s6);
+if m0 > end_samples
     % The exact law in samples.
-    z1 = ((-9000000.0) * x1) - (4500.0 * x2);
-    z2 = ((-6000.0) * x2) - (4.0 * (self.u1 + d));
-    v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+    z1 = (w1_1 * x1) + (w1_2 * x2);
+    z2 = (w2_2 * x2) + (w2_3 * (self.u1 + d));
+    m0f1 = m0 + 1.0;
+    v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d;
 else
     % The law of least energy to the end.
     m1 = pick(m0 < 2.0, 2.0, m0);
-    y1 = ((-18000000.0) * x1) - (9000.0 * x2);
-    y2 = ((-9000.0) * x2) - (6.0 * (self.u1 + d));
-    v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+    y1 = (end1_1 * x1) + (end1_2 * x2);
+    y2 = (end2_2 * x2) + (end2_3 * (self.u1 + d));
+    m1f1 = m1 + 2.0;
+    v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d;
 end
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if 6.0 < v
-    u_now = 6.0;
-elseif v < -6.0
-    u_now = -6.0;
+if v > u_max
+    u_now = u_max;
+elseif v < -u_max
+    u_now = -u_max;
 else
     u_now = v;
 end
@@ -233,10 +260,10 @@ self.x1_hat = x1;
 self.x2_hat = x2;
 self.d_hat = d;
 self.seen = uint32(1);
-if (6.0 < v) || (v < -6.0)
+if (v > u_max) || (v < -u_max)
     u = u_now;
     status = int32(2);
-elseif double(left) - 1.0 <= 20.0
+elseif double(left) - 1.0 <= hold
     u = u_now;
     status = int32(1);
 elseif late == uint32(2)

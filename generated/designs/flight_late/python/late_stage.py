@@ -113,6 +113,65 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/1000, prediction of x1 from x2.
+_PHI1_2 = _R(0.001)
+# 1/3000000, prediction of x1 from d.
+_PHI1_3 = _R(3.3333333333333335e-7)
+# 1/3000000, prediction from u.
+_GAMMA1 = _R(3.3333333333333335e-7)
+# 1/1500, prediction of x2 from d.
+_PHI2_3 = _R(0.0006666666666666666)
+# 1/1500, prediction from u.
+_GAMMA2 = _R(0.0006666666666666666)
+# Samples to go at which the observer is held.
+_HOLD_O = _R(30.0)
+# Weight in the observer's gain l1.
+_Q1_1 = _R(120.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-60.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-108000.0)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(36000.0)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(36000000.0)
+# Weight of x1 in the law.
+_S1_1 = _R(1500000.0)
+# Weight of x2 in the law.
+_S1_2 = _R(750.0)
+# Weight of x2 in the law.
+_S2_2 = _R(1500.0)
+# Bound of |u|.
+_U_MAX = _R(6.0)
+# Samples to go at which the gains are held.
+_HOLD = _R(20.0)
+# Samples to go at which the law of the end takes over.
+_END_SAMPLES = _R(50.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-9000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(-4500.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-6000.0)
+# Weight of u1 in the law.
+_W2_3 = _R(-4.0)
+# Weight of x1 in the law.
+_END1_1 = _R(-18000000.0)
+# Weight of x2 in the law.
+_END1_2 = _R(-9000.0)
+# Weight of x2 in the law.
+_END2_2 = _R(-9000.0)
+# Weight of u1 in the law.
+_END2_3 = _R(-6.0)
+# -1/1000, a state of a sample ago.
+_BACK1_2 = _R(-0.001)
+# 1/3000000, a state of a sample ago.
+_BACK1_3 = _R(3.3333333333333335e-7)
+# -1/1500, a state of a sample ago.
+_BACK2_3 = _R(-0.0006666666666666666)
+
 class LateStage:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -162,11 +221,11 @@ class LateStage:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (0.001 * self._x2_hat)
-            s2 = s1 + (3.3333333333333335e-7 * self._d_hat)
-            p1 = s2 + (3.3333333333333335e-7 * self._u2)
-            s3 = self._x2_hat + (0.0006666666666666666 * self._d_hat)
-            p2 = s3 + (0.0006666666666666666 * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
 
             # Correct by what is measured.
@@ -177,13 +236,12 @@ class LateStage:
                 base = p1
                 miss = y[0] - p1
             left_o = max(self._round - elapsed, 0)
-            o0 = max(_R(left_o), _R(30.0))
-            r0 = 1.0 / o0
-            r1 = 1.0 / (o0 - 1.0)
-            r2 = 1.0 / (o0 - 2.0)
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
-            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2
-            l3 = 36000000.0 * r0 * r1 * r2
+            o0 = max(_R(left_o), _HOLD_O)
+            o0f2 = o0 * (o0 - 1.0)
+            r0 = 1.0 / (o0f2 * (o0 - 2.0))
+            l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+            l2 = (_Q2_1 + (_Q2_2 * o0)) * r0
+            l3 = _Q3_1 * r0
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             d = p3 + (l3 * miss)
@@ -193,19 +251,19 @@ class LateStage:
             late = np.asarray(0)
             to_rest = max(self._last - elapsed, 0)
             ahead = max(to_rest - 1, 0)
-            flat1 = (1500000.0 * x1) + (750.0 * x2)
-            flat2 = (1500.0 * x2) + (self._u1 + d)
+            flat1 = (_S1_1 * x1) + (_S1_2 * x2)
+            flat2 = (_S2_2 * x2) + (self._u1 + d)
             low = np.asarray(max(ahead - 1, 0))
             top = np.asarray(1073741825)
             kept = np.asarray(0)
             tried = np.asarray(ahead)
             part = np.asarray(0.9999999999998739)
             for _ in range(64):
-                least = ((-6.0) * part) + d
-                most = (6.0 * part) + d
+                least = ((-_U_MAX) * part) + d
+                most = (_U_MAX * part) + d
                 within = -least if -least < most else most
                 fits = np.asarray(0)
-                if 50 < tried:
+                if tried > 50:
                     m = _R(tried)
                     power1 = m + 1.0
                     power2 = power1 * m
@@ -242,7 +300,7 @@ class LateStage:
                         and (np.abs((2.8712027904432142 * w1) + (99.5000219686458 * w2)) <= 0.9850746268656713 * within)
                     ):
                         fits = 1
-                elif 20 < tried:
+                elif tried > 20:
                     m = _R(tried)
                     power1 = m + 2.0
                     power2 = power1 * (m + 1.0)
@@ -292,7 +350,7 @@ class LateStage:
                 if fits == 1:
                     kept = tried
                     top = tried
-                elif 20 < tried:
+                elif tried > 20:
                     low = tried
                 else:
                     low = 20
@@ -307,30 +365,32 @@ class LateStage:
                 part = _R(0.899999999999773)
             if (ahead < kept) and (elapsed < 2147483648):
                 last_now = (elapsed + kept) + 1
-            if (kept == 0) and (0 < ahead):
+            if (kept == 0) and (ahead > 0):
                 late = 2
-            if self._last < last_now:
+            if last_now > self._last:
                 late = 1
             left = max(last_now - elapsed, 0)
             s6 = _R(left) - 1.0
-            m0 = max(s6, _R(20.0))
-            if 50.0 < m0:
+            m0 = max(s6, _HOLD)
+            if m0 > _END_SAMPLES:
                 # The exact law in samples.
-                z1 = ((-9000000.0) * x1) - (4500.0 * x2)
-                z2 = ((-6000.0) * x2) - (4.0 * (self._u1 + d))
-                v = (((z1 / (m0 + 1.0)) + z2) / m0) - d
+                z1 = (_W1_1 * x1) + (_W1_2 * x2)
+                z2 = (_W2_2 * x2) + (_W2_3 * (self._u1 + d))
+                m0f1 = m0 + 1.0
+                v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d
             else:
                 # The law of least energy to the end.
                 m1 = max(m0, _R(2.0))
-                y1 = ((-18000000.0) * x1) - (9000.0 * x2)
-                y2 = ((-9000.0) * x2) - (6.0 * (self._u1 + d))
-                v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d
+                y1 = (_END1_1 * x1) + (_END1_2 * x2)
+                y2 = (_END2_2 * x2) + (_END2_3 * (self._u1 + d))
+                m1f1 = m1 + 2.0
+                v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if 6.0 < v:
-                u_now = _R(6.0)
-            elif v < -6.0:
-                u_now = _R(-6.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -340,9 +400,9 @@ class LateStage:
             self._x2_hat = x2
             self._d_hat = d
             self._seen = 1
-            if (6.0 < v) or (v < -6.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) - 1.0 <= 20.0:
+            elif _R(left) - 1.0 <= _HOLD:
                 return Control(u_now, Status.HOLD)
             elif late == 2:
                 return Control(u_now, Status.INFEASIBLE)
@@ -361,7 +421,7 @@ class LateStage:
         with np.errstate(all="ignore"):
             k = k.__index__() & _WRAP
             samples = samples.__index__() & _WRAP
-            if not ((2 < samples) and (samples < 2147483649)):
+            if not ((samples > 2) and (samples < 2147483649)):
                 raise ValueError("k and samples, and what follows, must be finite")
             elapsed = (k - self._start) & _WRAP
             self._round = max(self._round - elapsed, 0)
@@ -376,27 +436,27 @@ class LateStage:
         ValueError where an argument is not finite, or where there is none.
         """
         with np.errstate(all="ignore"):
-            s1 = self._x1_hat + (0.001 * self._x2_hat)
-            s2 = s1 + (3.3333333333333335e-7 * self._d_hat)
-            p1 = s2 + (3.3333333333333335e-7 * self._u2)
-            s3 = self._x2_hat + (0.0006666666666666666 * self._d_hat)
-            p2 = s3 + (0.0006666666666666666 * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
             x1 = p1
             x2 = p2
             d = p3
-            flat1 = (1500000.0 * x1) + (750.0 * x2)
-            flat2 = (1500.0 * x2) + (self._u1 + d)
+            flat1 = (_S1_1 * x1) + (_S1_2 * x2)
+            flat2 = (_S2_2 * x2) + (self._u1 + d)
             low = np.asarray(20)
             top = np.asarray(1073741825)
             kept = np.asarray(0)
             tried = np.asarray(21)
             for _ in range(64):
-                least = (0.899999999999773 * (-6.0)) + d
-                most = 5.399999999998638 + d
+                least = (0.899999999999773 * (-_U_MAX)) + d
+                most = (0.899999999999773 * _U_MAX) + d
                 within = -least if -least < most else most
                 fits = np.asarray(0)
-                if 50 < tried:
+                if tried > 50:
                     m = _R(tried)
                     power1 = m + 1.0
                     power2 = power1 * m
@@ -485,7 +545,7 @@ class LateStage:
                 else:
                     tried = low + half
             if np.isfinite(flat1) and np.isfinite(flat2):
-                if 0 < kept:
+                if kept > 0:
                     return int(kept + 1)
                 else:
                     raise ValueError("no number of samples was found that keeps the limits")
@@ -519,10 +579,10 @@ class LateStage:
         """
         with np.errstate(all="ignore"):
             xhat = _numbers(xhat, 2, "xhat")
-            g1 = xhat[0] - (3.3333333333333335e-7 * self._u2)
-            g2 = xhat[1] - (0.0006666666666666666 * self._u2)
-            n1 = (g1 - (0.001 * g2)) + (3.3333333333333335e-7 * self._d_hat)
-            n2 = g2 - (0.0006666666666666666 * self._d_hat)
+            g1 = xhat[0] - (_GAMMA1 * self._u2)
+            g2 = xhat[1] - (_GAMMA2 * self._u2)
+            n1 = g1 + (_BACK1_2 * g2) + (_BACK1_3 * self._d_hat)
+            n2 = g2 + (_BACK2_3 * self._d_hat)
             if not (np.isfinite(n1) and np.isfinite(n2)):
                 raise ValueError("xhat, and what follows, must be finite")
             self._x1_hat = n1

@@ -166,6 +166,65 @@ pub struct LateStage {
     clippy::nursery
 )]
 impl LateStage {
+    /// 1/1000, prediction of x1 from x2.
+    const PHI1_2: f64 = 0.001;
+    /// 1/3000000, prediction of x1 from d.
+    const PHI1_3: f64 = 3.3333333333333335e-7;
+    /// 1/3000000, prediction from u.
+    const GAMMA1: f64 = 3.3333333333333335e-7;
+    /// 1/1500, prediction of x2 from d.
+    const PHI2_3: f64 = 0.0006666666666666666;
+    /// 1/1500, prediction from u.
+    const GAMMA2: f64 = 0.0006666666666666666;
+    /// Samples to go at which the observer is held.
+    const HOLD_O: f64 = 30.0;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 120.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -60.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 12.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = -108000.0;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = 36000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = 36000000.0;
+    /// Weight of x1 in the law.
+    const S1_1: f64 = 1500000.0;
+    /// Weight of x2 in the law.
+    const S1_2: f64 = 750.0;
+    /// Weight of x2 in the law.
+    const S2_2: f64 = 1500.0;
+    /// Bound of |u|.
+    const U_MAX: f64 = 6.0;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 20.0;
+    /// Samples to go at which the law of the end takes over.
+    const END_SAMPLES: f64 = 50.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -9000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = -4500.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -6000.0;
+    /// Weight of u1 in the law.
+    const W2_3: f64 = -4.0;
+    /// Weight of x1 in the law.
+    const END1_1: f64 = -18000000.0;
+    /// Weight of x2 in the law.
+    const END1_2: f64 = -9000.0;
+    /// Weight of x2 in the law.
+    const END2_2: f64 = -9000.0;
+    /// Weight of u1 in the law.
+    const END2_3: f64 = -6.0;
+    /// -1/1000, a state of a sample ago.
+    const BACK1_2: f64 = -0.001;
+    /// 1/3000000, a state of a sample ago.
+    const BACK1_3: f64 = 3.3333333333333335e-7;
+    /// -1/1500, a state of a sample ago.
+    const BACK2_3: f64 = -0.0006666666666666666;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -213,11 +272,11 @@ impl LateStage {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.001 * self.x2_hat);
-        let s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
-        let p1 = s2 + (3.3333333333333335e-7 * self.u2);
-        let s3 = self.x2_hat + (0.0006666666666666666 * self.d_hat);
-        let p2 = s3 + (0.0006666666666666666 * self.u2);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.d_hat);
+        let p1 = s2 + (Self::GAMMA1 * self.u2);
+        let s3 = self.x2_hat + (Self::PHI2_3 * self.d_hat);
+        let p2 = s3 + (Self::GAMMA2 * self.u2);
         let p3 = self.d_hat;
 
         // Correct by what is measured.
@@ -231,20 +290,19 @@ impl LateStage {
             miss = y[0] - p1;
         }
         let left_o = self.round.saturating_sub(elapsed);
-        let o0 = if (left_o as f64) < 30.0 {
-            30.0
+        let o0 = if (left_o as f64) < Self::HOLD_O {
+            Self::HOLD_O
         } else {
             left_o as f64
         };
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        let r0 = 1.0 / o0;
-        let r1 = 1.0 / (o0 - 1.0);
-        let r2 = 1.0 / (o0 - 2.0);
-        l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-        l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-        l3 = 36000000.0 * r0 * r1 * r2;
+        let o0f2 = o0 * (o0 - 1.0);
+        let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+        l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+        l2 = (Self::Q2_1 + (Self::Q2_2 * o0)) * r0;
+        l3 = Self::Q3_1 * r0;
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
         let d = p3 + (l3 * miss);
@@ -254,19 +312,19 @@ impl LateStage {
         let mut late = 0_u32;
         let to_rest = self.last.saturating_sub(elapsed);
         let ahead = to_rest.saturating_sub(1);
-        let flat1 = (1500000.0 * x1) + (750.0 * x2);
-        let flat2 = (1500.0 * x2) + (self.u1 + d);
+        let flat1 = (Self::S1_1 * x1) + (Self::S1_2 * x2);
+        let flat2 = (Self::S2_2 * x2) + (self.u1 + d);
         let mut low = ahead.saturating_sub(1);
         let mut top = 1073741825_u32;
         let mut kept = 0_u32;
         let mut tried = ahead;
         let mut part = 0.9999999999998739;
         for _ in 0..64 {
-            let least = ((-6.0) * part) + d;
-            let most = (6.0 * part) + d;
+            let least = ((-Self::U_MAX) * part) + d;
+            let most = (Self::U_MAX * part) + d;
             let within = if -least < most { -least } else { most };
             let mut fits = 0_u32;
-            if 50 < tried {
+            if tried > 50 {
                 let m = tried as f64;
                 let power1 = m + 1.0;
                 let power2 = power1 * m;
@@ -312,7 +370,7 @@ impl LateStage {
                 {
                     fits = 1;
                 }
-            } else if 20 < tried {
+            } else if tried > 20 {
                 let m = tried as f64;
                 let power1 = m + 2.0;
                 let power2 = power1 * (m + 1.0);
@@ -369,7 +427,7 @@ impl LateStage {
             if fits == 1 {
                 kept = tried;
                 top = tried;
-            } else if 20 < tried {
+            } else if tried > 20 {
                 low = tried;
             } else {
                 low = 20;
@@ -389,36 +447,38 @@ impl LateStage {
         if (ahead < kept) && (elapsed < 2147483648) {
             last_now = (elapsed + kept) + 1;
         }
-        if (kept == 0) && (0 < ahead) {
+        if (kept == 0) && (ahead > 0) {
             late = 2;
         }
-        if self.last < last_now {
+        if last_now > self.last {
             late = 1;
         }
         let left = last_now.saturating_sub(elapsed);
         let s6 = (left as f64) - 1.0;
-        let m0 = if s6 < 20.0 { 20.0 } else { s6 };
+        let m0 = if s6 < Self::HOLD { Self::HOLD } else { s6 };
         let v: f64;
-        if 50.0 < m0 {
+        if m0 > Self::END_SAMPLES {
             // The exact law in samples.
-            let z1 = ((-9000000.0) * x1) - (4500.0 * x2);
-            let z2 = ((-6000.0) * x2) - (4.0 * (self.u1 + d));
-            v = (((z1 / (m0 + 1.0)) + z2) / m0) - d;
+            let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2);
+            let z2 = (Self::W2_2 * x2) + (Self::W2_3 * (self.u1 + d));
+            let m0f1 = m0 + 1.0;
+            v = ((z1 + (z2 * m0f1)) / (m0f1 * m0)) - d;
         } else {
             // The law of least energy to the end.
             let m1 = if m0 < 2.0 { 2.0 } else { m0 };
-            let y1 = ((-18000000.0) * x1) - (9000.0 * x2);
-            let y2 = ((-9000.0) * x2) - (6.0 * (self.u1 + d));
-            v = (((y1 / (m1 + 2.0)) + y2) / (m1 + 1.0)) - d;
+            let y1 = (Self::END1_1 * x1) + (Self::END1_2 * x2);
+            let y2 = (Self::END2_2 * x2) + (Self::END2_3 * (self.u1 + d));
+            let m1f1 = m1 + 2.0;
+            v = ((y1 + (y2 * m1f1)) / (m1f1 * (m1 + 1.0))) - d;
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 6.0 < v {
-            u_now = 6.0;
-        } else if v < -6.0 {
-            u_now = -6.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -429,9 +489,9 @@ impl LateStage {
         self.x2_hat = x2;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (6.0 < v) || (v < -6.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if (left as f64) - 1.0 <= 20.0 {
+        } else if (left as f64) - 1.0 <= Self::HOLD {
             Status::Hold
         } else if late == 2 {
             Status::Infeasible
@@ -450,7 +510,7 @@ impl LateStage {
     /// `Param`: the number of samples is out of its range.
     #[inline]
     pub fn arm_for(&mut self, k: u32, samples: u32) -> Result<(), Error> {
-        if !((2 < samples) && (samples < 2147483649)) {
+        if !((samples > 2) && (samples < 2147483649)) {
             return Err(Error::Param);
         }
         let elapsed = k.wrapping_sub(self.start);
@@ -469,27 +529,27 @@ impl LateStage {
     /// compute with. `Soon`: a limit could be exceeded with so few samples, or with any.
     #[inline]
     pub fn soonest(&self) -> Result<u32, Error> {
-        let s1 = self.x1_hat + (0.001 * self.x2_hat);
-        let s2 = s1 + (3.3333333333333335e-7 * self.d_hat);
-        let p1 = s2 + (3.3333333333333335e-7 * self.u2);
-        let s3 = self.x2_hat + (0.0006666666666666666 * self.d_hat);
-        let p2 = s3 + (0.0006666666666666666 * self.u2);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.d_hat);
+        let p1 = s2 + (Self::GAMMA1 * self.u2);
+        let s3 = self.x2_hat + (Self::PHI2_3 * self.d_hat);
+        let p2 = s3 + (Self::GAMMA2 * self.u2);
         let p3 = self.d_hat;
         let x1 = p1;
         let x2 = p2;
         let d = p3;
-        let flat1 = (1500000.0 * x1) + (750.0 * x2);
-        let flat2 = (1500.0 * x2) + (self.u1 + d);
+        let flat1 = (Self::S1_1 * x1) + (Self::S1_2 * x2);
+        let flat2 = (Self::S2_2 * x2) + (self.u1 + d);
         let mut low = 20_u32;
         let mut top = 1073741825_u32;
         let mut kept = 0_u32;
         let mut tried = 21_u32;
         for _ in 0..64 {
-            let least = (0.899999999999773 * (-6.0)) + d;
-            let most = 5.399999999998638 + d;
+            let least = (0.899999999999773 * (-Self::U_MAX)) + d;
+            let most = (0.899999999999773 * Self::U_MAX) + d;
             let within = if -least < most { -least } else { most };
             let mut fits = 0_u32;
-            if 50 < tried {
+            if tried > 50 {
                 let m = tried as f64;
                 let power1 = m + 1.0;
                 let power2 = power1 * m;
@@ -599,7 +659,7 @@ impl LateStage {
             }
         }
         if flat1.is_finite() && flat2.is_finite() {
-            if 0 < kept {
+            if kept > 0 {
                 Ok(kept + 1)
             } else {
                 Err(Error::Soon)
@@ -637,10 +697,10 @@ impl LateStage {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn assume(&mut self, xhat: &[f64; 2]) -> Result<(), Error> {
-        let g1 = xhat[0] - (3.3333333333333335e-7 * self.u2);
-        let g2 = xhat[1] - (0.0006666666666666666 * self.u2);
-        let n1 = (g1 - (0.001 * g2)) + (3.3333333333333335e-7 * self.d_hat);
-        let n2 = g2 - (0.0006666666666666666 * self.d_hat);
+        let g1 = xhat[0] - (Self::GAMMA1 * self.u2);
+        let g2 = xhat[1] - (Self::GAMMA2 * self.u2);
+        let n1 = g1 + (Self::BACK1_2 * g2) + (Self::BACK1_3 * self.d_hat);
+        let n2 = g2 + (Self::BACK2_3 * self.d_hat);
         if !(n1.is_finite() && n2.is_finite()) {
             return Err(Error::Input);
         }

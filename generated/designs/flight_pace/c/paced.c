@@ -33,12 +33,20 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define PACED_S1_1 10000.0 /* weight of x1 in the law */
+#define PACED_S1_2 (-50.0) /* weight of x2 in the law */
+#define PACED_S2_2 100.0 /* weight of x2 in the law */
+#define PACED_W1_1 (-1200000.0) /* weight of x1 in the law */
+#define PACED_W1_2 6000.0 /* weight of x2 in the law */
+#define PACED_W2_2 (-6000.0) /* weight of x2 in the law */
+#define PACED_W3_3 (-12.0) /* weight of u1 in the law */
 ptc_status paced_init(paced *self, const paced_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((-1.0 < params->u_max) && (0.0 <= params->u_max)) {
+        if ((params->u_max > -1.0) && (params->u_max >= 0.0)) {
             const double u_max = params->u_max;
             self->start = 0U;
             self->last = 100U;
@@ -81,11 +89,11 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
             if (elapsed < self->last) {
                 const uint32_t to_rest = (elapsed < self->last) ? (self->last - elapsed) : 0U;
                 const uint32_t ahead = to_rest;
-                const double flat1 = (10000.0 * x1) - (50.0 * x2);
-                const double flat2 = 100.0 * x2;
+                const double flat1 = (PACED_S1_1 * x1) + (PACED_S1_2 * x2);
+                const double flat2 = PACED_S2_2 * x2;
                 const double flat3 = self->u1;
                 uint32_t below = ((ahead / 16U) < ((1U < ahead) ? (ahead - 1U) : 0U)) ? (((1U < ahead) ? (ahead - 1U) : 0U) - (ahead / 16U)) : 0U;
-                if (3U < ahead) {
+                if (ahead > 3U) {
                     if (below < 3U) {
                         below = 3U;
                     }
@@ -102,7 +110,7 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                     const double most = self->u_max * part;
                     const double within = (-least < most) ? -least : most;
                     uint32_t fits = 0U;
-                    if (3U < tried) {
+                    if (tried > 3U) {
                         const double m = (double)tried;
                         const double power1 = m + 3.0;
                         const double power2 = power1 * (m + 2.0);
@@ -175,7 +183,7 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                     if (fits == 1U) {
                         kept = tried;
                         top = tried;
-                    } else if (3U < tried) {
+                    } else if (tried > 3U) {
                         low = tried;
                     } else {
                         low = 3U;
@@ -192,14 +200,14 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                     }
                     part = 0.9999999999937695;
                 }
-                if ((0U < kept) && (elapsed < 2147483648U)) {
+                if ((kept > 0U) && (elapsed < 2147483648U)) {
                     last_now = elapsed + kept;
                 }
-                if ((kept == 0U) && (0U < ahead)) {
+                if ((kept == 0U) && (ahead > 0U)) {
                     late = 2U;
                 }
             }
-            if (self->last < last_now) {
+            if (last_now > self->last) {
                 late = 1U;
             }
             const uint32_t left = (elapsed < last_now) ? (last_now - elapsed) : 0U;
@@ -207,16 +215,17 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
             double v;
 
             /* The exact law in samples. */
-            const double z1 = ((-1200000.0) * x1) + (6000.0 * x2);
-            const double z2 = (-6000.0) * x2;
-            const double z3 = (-12.0) * self->u1;
-            const double s9 = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0);
-            v = s9 + self->u1;
+            const double z1 = (PACED_W1_1 * x1) + (PACED_W1_2 * x2);
+            const double z2 = PACED_W2_2 * x2;
+            const double z3 = PACED_W3_3 * self->u1;
+            const double m0f1 = m0 + 3.0;
+            const double m0f2 = m0f1 * (m0 + 2.0);
+            v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0))) + self->u1;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (elapsed < last_now) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         u_now = self->u_max;
                     } else if (v < -1.0) {
                         u_now = -1.0;
@@ -230,7 +239,7 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                 self->last = last_now;
                 *u = u_now;
                 if (elapsed < last_now) {
-                    if ((self->u_max < v) || (v < -1.0)) {
+                    if ((v > self->u_max) || (v < -1.0)) {
                         status = PTC_SATURATED;
                     } else if (late == 2U) {
                         status = PTC_INFEASIBLE;
@@ -253,7 +262,7 @@ ptc_status paced_arm_for(paced *self, uint32_t k, uint32_t samples)
     ptc_status status = PTC_E_PARAM;
 
     if (self != NULL) {
-        if ((2U < samples) && (samples < 2147483649U)) {
+        if ((samples > 2U) && (samples < 2147483649U)) {
             self->start = k;
             self->last = samples;
             status = PTC_OK;
@@ -270,8 +279,8 @@ ptc_status paced_soonest(const paced *self, const double x[2], uint32_t *samples
         if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             const double x1 = x[0];
             const double x2 = x[1];
-            const double flat1 = (10000.0 * x1) - (50.0 * x2);
-            const double flat2 = 100.0 * x2;
+            const double flat1 = (PACED_S1_1 * x1) + (PACED_S1_2 * x2);
+            const double flat2 = PACED_S2_2 * x2;
             const double flat3 = self->u1;
             uint32_t low = 3U;
             uint32_t top = 1073741825U;
@@ -362,7 +371,7 @@ ptc_status paced_soonest(const paced *self, const double x[2], uint32_t *samples
                 }
             }
             if (PTC_FINITE_F64(flat1) && PTC_FINITE_F64(flat2) && PTC_FINITE_F64(flat3)) {
-                if (0U < kept) {
+                if (kept > 0U) {
                     *samples = kept;
                     status = PTC_OK;
                 } else {

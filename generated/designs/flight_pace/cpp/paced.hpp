@@ -50,8 +50,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef PACED_C7EDD624_HPP
-#define PACED_C7EDD624_HPP
+#ifndef PACED_4519FAEB_HPP
+#define PACED_4519FAEB_HPP
 
 #include <array>
 #include <cfloat>
@@ -134,7 +134,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((-1.0 < params.u_max) && (0.0 <= params.u_max))) {
+        if (!((params.u_max > -1.0) && (params.u_max >= 0.0))) {
             return Status::Param;
         }
         const double u_max = params.u_max;
@@ -171,11 +171,11 @@ public:
         if (elapsed < last_) {
             const std::uint32_t to_rest = (elapsed < last_) ? (last_ - elapsed) : 0U;
             const std::uint32_t ahead = to_rest;
-            const double flat1 = (10000.0 * x1) - (50.0 * x2);
-            const double flat2 = 100.0 * x2;
+            const double flat1 = (s1_1_ * x1) + (s1_2_ * x2);
+            const double flat2 = s2_2_ * x2;
             const double flat3 = u1_;
             std::uint32_t below = ((ahead / 16U) < ((1U < ahead) ? (ahead - 1U) : 0U)) ? (((1U < ahead) ? (ahead - 1U) : 0U) - (ahead / 16U)) : 0U;
-            if (3U < ahead) {
+            if (ahead > 3U) {
                 if (below < 3U) {
                     below = 3U;
                 }
@@ -192,7 +192,7 @@ public:
                 const double most = u_max_ * part;
                 const double within = (-least < most) ? -least : most;
                 std::uint32_t fits = 0U;
-                if (3U < tried) {
+                if (tried > 3U) {
                     const double m = static_cast<double>(tried);
                     const double power1 = m + 3.0;
                     const double power2 = power1 * (m + 2.0);
@@ -263,7 +263,7 @@ public:
                 if (fits == 1U) {
                     kept = tried;
                     top = tried;
-                } else if (3U < tried) {
+                } else if (tried > 3U) {
                     low = tried;
                 } else {
                     low = 3U;
@@ -280,14 +280,14 @@ public:
                 }
                 part = 0.9999999999937695;
             }
-            if ((0U < kept) && (elapsed < 2147483648U)) {
+            if ((kept > 0U) && (elapsed < 2147483648U)) {
                 last_now = elapsed + kept;
             }
-            if ((kept == 0U) && (0U < ahead)) {
+            if ((kept == 0U) && (ahead > 0U)) {
                 late = 2U;
             }
         }
-        if (last_ < last_now) {
+        if (last_now > last_) {
             late = 1U;
         }
         const std::uint32_t left = (elapsed < last_now) ? (last_now - elapsed) : 0U;
@@ -295,17 +295,18 @@ public:
         double v{};
 
         // The exact law in samples.
-        const double z1 = ((-1200000.0) * x1) + (6000.0 * x2);
-        const double z2 = (-6000.0) * x2;
-        const double z3 = (-12.0) * u1_;
-        const double s9 = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0);
-        v = s9 + u1_;
+        const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+        const double z2 = w2_2_ * x2;
+        const double z3 = w3_3_ * u1_;
+        const double m0f1 = m0 + 3.0;
+        const double m0f2 = m0f1 * (m0 + 2.0);
+        v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0))) + u1_;
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
         if (elapsed < last_now) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 u_now = u_max_;
             } else if (v < -1.0) {
                 u_now = -1.0;
@@ -318,7 +319,7 @@ public:
         u1_ = u_now;
         last_ = last_now;
         if (elapsed < last_now) {
-            if ((u_max_ < v) || (v < -1.0)) {
+            if ((v > u_max_) || (v < -1.0)) {
                 return {u_now, Status::Saturated};
             } else if (late == 2U) {
                 return {u_now, Status::Infeasible};
@@ -337,7 +338,7 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm_for(std::uint32_t k, std::uint32_t samples) noexcept
     {
-        if (!((2U < samples) && (samples < 2147483649U))) {
+        if (!((samples > 2U) && (samples < 2147483649U))) {
             return Status::Param;
         }
         start_ = k;
@@ -356,8 +357,8 @@ public:
         }
         const double x1 = x[0];
         const double x2 = x[1];
-        const double flat1 = (10000.0 * x1) - (50.0 * x2);
-        const double flat2 = 100.0 * x2;
+        const double flat1 = (s1_1_ * x1) + (s1_2_ * x2);
+        const double flat2 = s2_2_ * x2;
         const double flat3 = u1_;
         std::uint32_t low = 3U;
         std::uint32_t top = 1073741825U;
@@ -448,7 +449,7 @@ public:
             }
         }
         if (finite(flat1) && finite(flat2) && finite(flat3)) {
-            if (0U < kept) {
+            if (kept > 0U) {
                 return {kept, Status::Ok};
             } else {
                 return {0, Status::Soon};
@@ -486,6 +487,20 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Weight of x1 in the law.
+    static constexpr double s1_1_{10000.0};
+    /// Weight of x2 in the law.
+    static constexpr double s1_2_{-50.0};
+    /// Weight of x2 in the law.
+    static constexpr double s2_2_{100.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-1200000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{6000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-6000.0};
+    /// Weight of u1 in the law.
+    static constexpr double w3_3_{-12.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t last_{}; // samples from the start to rest, as planned now

@@ -60,7 +60,7 @@ function self = paced_init(params) %#codegen
 %   envelope: not checked: it does not examine a clock in samples.
 
 given.u_max = double(params.u_max);
-if ~((-1.0 < given.u_max) && (0.0 <= given.u_max))
+if ~((given.u_max > -1.0) && (given.u_max >= 0.0))
     error('paced:param', 'params.u_max is %g; legal: > -1, >= 0', params.u_max);
 end
 u_max = given.u_max;

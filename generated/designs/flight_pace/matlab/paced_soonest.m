@@ -16,6 +16,9 @@ function [samples, status] = paced_soonest(self, x) %#codegen
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 %     -4  there is none
 
+s1_1 = 10000.0; % weight of x1 in the law
+s1_2 = -50.0; % weight of x2 in the law
+s2_2 = 100.0; % weight of x2 in the law
 samples = uint32(0);
 x = double(x);
 if ~(isfinite(x(1)) && isfinite(x(2)))
@@ -24,8 +27,8 @@ if ~(isfinite(x(1)) && isfinite(x(2)))
 end
 x1 = x(1);
 x2 = x(2);
-flat1 = (10000.0 * x1) - (50.0 * x2);
-flat2 = 100.0 * x2;
+flat1 = (s1_1 * x1) + (s1_2 * x2);
+flat2 = s2_2 * x2;
 flat3 = self.u1;
 low = uint32(3);
 top = uint32(1073741825);
@@ -116,7 +119,7 @@ for attempt = 0:63
     end
 end
 if isfinite(flat1) && isfinite(flat2) && isfinite(flat3)
-    if uint32(0) < kept
+    if kept > uint32(0)
         samples = kept;
         status = int32(0);
     else

@@ -15,6 +15,13 @@ function [u, status, self] = paced_step(self, k, x) %#codegen
 %     -3  u not finite
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
+s1_1 = 10000.0; % weight of x1 in the law
+s1_2 = -50.0; % weight of x2 in the law
+s2_2 = 100.0; % weight of x2 in the law
+w1_1 = -1200000.0; % weight of x1 in the law
+w1_2 = 6000.0; % weight of x2 in the law
+w2_2 = -6000.0; % weight of x2 in the law
+w3_3 = -12.0; % weight of u1 in the law
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -37,11 +44,11 @@ late = uint32(0);
 if elapsed < self.last
     to_rest = self.last - elapsed;
     ahead = to_rest;
-    flat1 = (10000.0 * x1) - (50.0 * x2);
-    flat2 = 100.0 * x2;
+    flat1 = (s1_1 * x1) + (s1_2 * x2);
+    flat2 = s2_2 * x2;
     flat3 = self.u1;
     below = (ahead - uint32(1)) - bitshift(ahead, -4);
-    if uint32(3) < ahead
+    if ahead > uint32(3)
         if below < uint32(3)
             below = uint32(3);
         end
@@ -58,7 +65,7 @@ if elapsed < self.last
         most = self.u_max * part;
         within = pick(-least < most, -least, most);
         fits = uint32(0);
-        if uint32(3) < tried
+        if tried > uint32(3)
             m = double(tried);
             power1 = m + 3.0;
             power2 = power1 * (m + 2.0);
@@ -129,7 +136,7 @@ if elapsed < self.last
         if fits == uint32(1)
             kept = tried;
             top = tried;
-        elseif uint32(3) < tried
+        elseif tried > uint32(3)
             low = tried;
         else
             low = uint32(3);
@@ -146,31 +153,32 @@ if elapsed < self.last
         end
         part = 0.9999999999937695;
     end
-    if (uint32(0) < kept) && (elapsed < uint32(2147483648))
+    if (kept > uint32(0)) && (elapsed < uint32(2147483648))
         last_now = elapsed + kept;
     end
-    if (kept == uint32(0)) && (uint32(0) < ahead)
+    if (kept == uint32(0)) && (ahead > uint32(0))
         late = uint32(2);
     end
 end
-if self.last < last_now
+if last_now > self.last
     late = uint32(1);
 end
 left = last_now - elapsed;
 m0 = pick(double(left) < 3.0, 3.0, double(left));
 
 % The exact law in samples.
-z1 = ((-1200000.0) * x1) + (6000.0 * x2);
-z2 = (-6000.0) * x2;
-z3 = (-12.0) * self.u1;
-s9 = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0);
-v = s9 + self.u1;
+z1 = (w1_1 * x1) + (w1_2 * x2);
+z2 = w2_2 * x2;
+z3 = w3_3 * self.u1;
+m0f1 = m0 + 3.0;
+m0f2 = m0f1 * (m0 + 2.0);
+v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0))) + self.u1;
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
 if elapsed < last_now
-    if self.u_max < v
+    if v > self.u_max
         u_now = self.u_max;
     elseif v < -1.0
         u_now = -1.0;
@@ -183,7 +191,7 @@ end
 self.u1 = u_now;
 self.last = last_now;
 if elapsed < last_now
-    if (self.u_max < v) || (v < -1.0)
+    if (v > self.u_max) || (v < -1.0)
         u = u_now;
         status = int32(2);
     elseif late == uint32(2)

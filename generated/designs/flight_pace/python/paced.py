@@ -112,6 +112,21 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of x1 in the law.
+_S1_1 = _R(10000.0)
+# Weight of x2 in the law.
+_S1_2 = _R(-50.0)
+# Weight of x2 in the law.
+_S2_2 = _R(100.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-1200000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(6000.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-6000.0)
+# Weight of u1 in the law.
+_W3_3 = _R(-12.0)
+
 class Paced:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -121,7 +136,7 @@ class Paced:
     def __init__(self, params: Params) -> None:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
-            if not ((-1.0 < given_u_max) and (0.0 <= given_u_max)):
+            if not ((given_u_max > -1.0) and (given_u_max >= 0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > -1, >= 0")
             u_max = given_u_max
             self._start = 0
@@ -160,11 +175,11 @@ class Paced:
             if elapsed < self._last:
                 to_rest = max(self._last - elapsed, 0)
                 ahead = to_rest
-                flat1 = (10000.0 * x1) - (50.0 * x2)
-                flat2 = 100.0 * x2
+                flat1 = (_S1_1 * x1) + (_S1_2 * x2)
+                flat2 = _S2_2 * x2
                 flat3 = self._u1
                 below = np.asarray(max(max(ahead - 1, 0) - (ahead // 16), 0))
-                if 3 < ahead:
+                if ahead > 3:
                     if below < 3:
                         below = 3
                 else:
@@ -179,7 +194,7 @@ class Paced:
                     most = self._u_max * part
                     within = -least if -least < most else most
                     fits = np.asarray(0)
-                    if 3 < tried:
+                    if tried > 3:
                         m = _R(tried)
                         power1 = m + 3.0
                         power2 = power1 * (m + 2.0)
@@ -241,7 +256,7 @@ class Paced:
                     if fits == 1:
                         kept = tried
                         top = tried
-                    elif 3 < tried:
+                    elif tried > 3:
                         low = tried
                     else:
                         low = 3
@@ -254,25 +269,26 @@ class Paced:
                     else:
                         tried = low + half
                     part = _R(0.9999999999937695)
-                if (0 < kept) and (elapsed < 2147483648):
+                if (kept > 0) and (elapsed < 2147483648):
                     last_now = elapsed + kept
-                if (kept == 0) and (0 < ahead):
+                if (kept == 0) and (ahead > 0):
                     late = 2
-            if self._last < last_now:
+            if last_now > self._last:
                 late = 1
             left = max(last_now - elapsed, 0)
             m0 = max(_R(left), _R(3.0))
 
             # The exact law in samples.
-            z1 = ((-1200000.0) * x1) + (6000.0 * x2)
-            z2 = (-6000.0) * x2
-            z3 = (-12.0) * self._u1
-            s9 = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0)
-            v = s9 + self._u1
+            z1 = (_W1_1 * x1) + (_W1_2 * x2)
+            z2 = _W2_2 * x2
+            z3 = _W3_3 * self._u1
+            m0f1 = m0 + 3.0
+            m0f2 = m0f1 * (m0 + 2.0)
+            v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0))) + self._u1
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
             if elapsed < last_now:
-                if self._u_max < v:
+                if v > self._u_max:
                     u_now = self._u_max
                 elif v < -1.0:
                     u_now = _R(-1.0)
@@ -283,7 +299,7 @@ class Paced:
             self._u1 = u_now
             self._last = last_now
             if elapsed < last_now:
-                if (self._u_max < v) or (v < -1.0):
+                if (v > self._u_max) or (v < -1.0):
                     return Control(u_now, Status.SATURATED)
                 elif late == 2:
                     return Control(u_now, Status.INFEASIBLE)
@@ -304,7 +320,7 @@ class Paced:
         with np.errstate(all="ignore"):
             k = k.__index__() & _WRAP
             samples = samples.__index__() & _WRAP
-            if not ((2 < samples) and (samples < 2147483649)):
+            if not ((samples > 2) and (samples < 2147483649)):
                 raise ValueError("k and samples, and what follows, must be finite")
             self._start = k
             self._last = samples
@@ -322,8 +338,8 @@ class Paced:
                 raise ValueError("an argument, or what follows from it, is not finite")
             x1 = x[0]
             x2 = x[1]
-            flat1 = (10000.0 * x1) - (50.0 * x2)
-            flat2 = 100.0 * x2
+            flat1 = (_S1_1 * x1) + (_S1_2 * x2)
+            flat2 = _S2_2 * x2
             flat3 = self._u1
             low = np.asarray(3)
             top = np.asarray(1073741825)
@@ -400,7 +416,7 @@ class Paced:
                 else:
                     tried = low + half
             if np.isfinite(flat1) and np.isfinite(flat2) and np.isfinite(flat3):
-                if 0 < kept:
+                if kept > 0:
                     return int(kept)
                 else:
                     raise ValueError("no number of samples was found that keeps the limits")

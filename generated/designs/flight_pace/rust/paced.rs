@@ -155,12 +155,27 @@ pub struct Paced {
     clippy::nursery
 )]
 impl Paced {
+    /// Weight of x1 in the law.
+    const S1_1: f64 = 10000.0;
+    /// Weight of x2 in the law.
+    const S1_2: f64 = -50.0;
+    /// Weight of x2 in the law.
+    const S2_2: f64 = 100.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -1200000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 6000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -6000.0;
+    /// Weight of u1 in the law.
+    const W3_3: f64 = -12.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: PacedParams) -> Result<Self, Error> {
-        if !((-1.0 < params.u_max) && (0.0 <= params.u_max)) {
+        if !((params.u_max > -1.0) && (params.u_max >= 0.0)) {
             return Err(Error::Param);
         }
         let u_max = params.u_max;
@@ -200,11 +215,11 @@ impl Paced {
         if elapsed < self.last {
             let to_rest = self.last.saturating_sub(elapsed);
             let ahead = to_rest;
-            let flat1 = (10000.0 * x1) - (50.0 * x2);
-            let flat2 = 100.0 * x2;
+            let flat1 = (Self::S1_1 * x1) + (Self::S1_2 * x2);
+            let flat2 = Self::S2_2 * x2;
             let flat3 = self.u1;
             let mut below = ahead.saturating_sub(1).saturating_sub(ahead / 16);
-            if 3 < ahead {
+            if ahead > 3 {
                 if below < 3 {
                     below = 3;
                 }
@@ -221,7 +236,7 @@ impl Paced {
                 let most = self.u_max * part;
                 let within = if -least < most { -least } else { most };
                 let mut fits = 0_u32;
-                if 3 < tried {
+                if tried > 3 {
                     let m = tried as f64;
                     let power1 = m + 3.0;
                     let power2 = power1 * (m + 2.0);
@@ -294,7 +309,7 @@ impl Paced {
                 if fits == 1 {
                     kept = tried;
                     top = tried;
-                } else if 3 < tried {
+                } else if tried > 3 {
                     low = tried;
                 } else {
                     low = 3;
@@ -311,14 +326,14 @@ impl Paced {
                 }
                 part = 0.9999999999937695;
             }
-            if (0 < kept) && (elapsed < 2147483648) {
+            if (kept > 0) && (elapsed < 2147483648) {
                 last_now = elapsed + kept;
             }
-            if (kept == 0) && (0 < ahead) {
+            if (kept == 0) && (ahead > 0) {
                 late = 2;
             }
         }
-        if self.last < last_now {
+        if last_now > self.last {
             late = 1;
         }
         let left = last_now.saturating_sub(elapsed);
@@ -330,17 +345,18 @@ impl Paced {
         let v: f64;
 
         // The exact law in samples.
-        let z1 = ((-1200000.0) * x1) + (6000.0 * x2);
-        let z2 = (-6000.0) * x2;
-        let z3 = (-12.0) * self.u1;
-        let s9 = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0);
-        v = s9 + self.u1;
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2);
+        let z2 = Self::W2_2 * x2;
+        let z3 = Self::W3_3 * self.u1;
+        let m0f1 = m0 + 3.0;
+        let m0f2 = m0f1 * (m0 + 2.0);
+        v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0))) + self.u1;
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
         if elapsed < last_now {
-            if self.u_max < v {
+            if v > self.u_max {
                 u_now = self.u_max;
             } else if v < -1.0 {
                 u_now = -1.0;
@@ -353,7 +369,7 @@ impl Paced {
         self.u1 = u_now;
         self.last = last_now;
         let status = if elapsed < last_now {
-            if (self.u_max < v) || (v < -1.0) {
+            if (v > self.u_max) || (v < -1.0) {
                 Status::Saturated
             } else if late == 2 {
                 Status::Infeasible
@@ -375,7 +391,7 @@ impl Paced {
     /// `Param`: the number of samples is out of its range.
     #[inline]
     pub fn arm_for(&mut self, k: u32, samples: u32) -> Result<(), Error> {
-        if !((2 < samples) && (samples < 2147483649)) {
+        if !((samples > 2) && (samples < 2147483649)) {
             return Err(Error::Param);
         }
         self.start = k;
@@ -397,8 +413,8 @@ impl Paced {
         }
         let x1 = x[0];
         let x2 = x[1];
-        let flat1 = (10000.0 * x1) - (50.0 * x2);
-        let flat2 = 100.0 * x2;
+        let flat1 = (Self::S1_1 * x1) + (Self::S1_2 * x2);
+        let flat2 = Self::S2_2 * x2;
         let flat3 = self.u1;
         let mut low = 3_u32;
         let mut top = 1073741825_u32;
@@ -490,7 +506,7 @@ impl Paced {
             }
         }
         if flat1.is_finite() && flat2.is_finite() && flat3.is_finite() {
-            if 0 < kept {
+            if kept > 0 {
                 Ok(kept)
             } else {
                 Err(Error::Soon)

@@ -33,6 +33,20 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define TOO_SOON_W1_1 (-120000000.0f) /* weight of x1 in the law */
+#define TOO_SOON_W1_2 1200000.0f /* weight of x2 in the law */
+#define TOO_SOON_W1_3 (-4000.0f) /* weight of x3 in the law */
+#define TOO_SOON_W2_2 (-600000.0f) /* weight of x2 in the law */
+#define TOO_SOON_W2_3 3000.0f /* weight of x3 in the law */
+#define TOO_SOON_W3_3 (-1200.0f) /* weight of x3 in the law */
+#define TOO_SOON_U_MAX 20.0f /* bound of |u| */
+#define TOO_SOON_S1_1 1000000.0f /* weight of x1 in the law */
+#define TOO_SOON_S1_2 (-10000.0f) /* weight of x2 in the law */
+#define TOO_SOON_S1_3 33.333332f /* 100/3, weight of x3 in the law */
+#define TOO_SOON_S2_2 10000.0f /* weight of x2 in the law */
+#define TOO_SOON_S2_3 (-50.0f) /* weight of x3 in the law */
+#define TOO_SOON_S3_3 100.0f /* weight of x3 in the law */
 ptc_status too_soon_init(too_soon *self, const too_soon_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -76,16 +90,18 @@ ptc_status too_soon_step(const too_soon *self, uint32_t k, const float x[3], flo
             float v;
 
             /* The exact law in samples. */
-            const float z1 = (((-120000000.0f) * x1) + (1200000.0f * x2)) - (4000.0f * x3);
-            const float z2 = ((-600000.0f) * x2) + (3000.0f * x3);
-            const float z3 = (-1200.0f) * x3;
-            v = ((((z1 / (m0 + 3.0f)) + z2) / (m0 + 2.0f)) + z3) / (m0 + 1.0f);
+            const float z1 = (TOO_SOON_W1_1 * x1) + (TOO_SOON_W1_2 * x2) + (TOO_SOON_W1_3 * x3);
+            const float z2 = (TOO_SOON_W2_2 * x2) + (TOO_SOON_W2_3 * x3);
+            const float z3 = TOO_SOON_W3_3 * x3;
+            const float m0f1 = m0 + 3.0f;
+            const float m0f2 = m0f1 * (m0 + 2.0f);
+            v = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0f));
             if (PTC_FINITE_F32(v)) {
-                if (20.0f < v) {
-                    *u = 20.0f;
+                if (v > TOO_SOON_U_MAX) {
+                    *u = TOO_SOON_U_MAX;
                     status = PTC_SATURATED;
-                } else if (v < -20.0f) {
-                    *u = -20.0f;
+                } else if (v < -TOO_SOON_U_MAX) {
+                    *u = -TOO_SOON_U_MAX;
                     status = PTC_SATURATED;
                 } else if (elapsed < self->last) {
                     *u = v;
@@ -107,17 +123,17 @@ ptc_status too_soon_arm_for(too_soon *self, uint32_t k, uint32_t samples, const 
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (x != NULL)) {
-        if ((2U < samples) && (samples < 2147483649U)) {
+        if ((samples > 2U) && (samples < 2147483649U)) {
             status = PTC_E_INPUT;
             if (PTC_FINITE_F32(x[0]) && PTC_FINITE_F32(x[1]) && PTC_FINITE_F32(x[2])) {
                 const float x1 = x[0];
                 const float x2 = x[1];
                 const float x3 = x[2];
-                const float flat1 = ((1000000.0f * x1) - (10000.0f * x2)) + (33.333332f * x3);
-                const float flat2 = (10000.0f * x2) - (50.0f * x3);
-                const float flat3 = 100.0f * x3;
-                const float least = 0.9949459f * (-20.0f);
-                const float most = 19.898918f;
+                const float flat1 = (TOO_SOON_S1_1 * x1) + (TOO_SOON_S1_2 * x2) + (TOO_SOON_S1_3 * x3);
+                const float flat2 = (TOO_SOON_S2_2 * x2) + (TOO_SOON_S2_3 * x3);
+                const float flat3 = TOO_SOON_S3_3 * x3;
+                const float least = 0.9949459f * (-TOO_SOON_U_MAX);
+                const float most = 0.9949459f * TOO_SOON_U_MAX;
                 const float most2 = 0.49747294f;
                 const float most3 = 3.9797835f;
                 const uint32_t tried = samples;
@@ -286,7 +302,7 @@ ptc_status too_soon_arm_for(too_soon *self, uint32_t k, uint32_t samples, const 
                     fits = 1U;
                 }
                 status = PTC_E_SOON;
-                if ((3U < tried) && (tried < 100001U) && (fits == 1U)) {
+                if ((tried > 3U) && (tried < 100001U) && (fits == 1U)) {
                     self->start = k;
                     self->last = samples;
                     status = PTC_OK;
@@ -306,16 +322,16 @@ ptc_status too_soon_soonest(const too_soon *self, const float x[3], uint32_t *sa
             const float x1 = x[0];
             const float x2 = x[1];
             const float x3 = x[2];
-            const float flat1 = ((1000000.0f * x1) - (10000.0f * x2)) + (33.333332f * x3);
-            const float flat2 = (10000.0f * x2) - (50.0f * x3);
-            const float flat3 = 100.0f * x3;
+            const float flat1 = (TOO_SOON_S1_1 * x1) + (TOO_SOON_S1_2 * x2) + (TOO_SOON_S1_3 * x3);
+            const float flat2 = (TOO_SOON_S2_2 * x2) + (TOO_SOON_S2_3 * x3);
+            const float flat3 = TOO_SOON_S3_3 * x3;
             uint32_t low = 3U;
             uint32_t top = 100001U;
             uint32_t kept = 0U;
             uint32_t tried = 4U;
             for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
-                const float least = 0.9949459f * (-20.0f);
-                const float most = 19.898918f;
+                const float least = 0.9949459f * (-TOO_SOON_U_MAX);
+                const float most = 0.9949459f * TOO_SOON_U_MAX;
                 const float most2 = 0.49747294f;
                 const float most3 = 3.9797835f;
                 uint32_t fits = 0U;
@@ -500,7 +516,7 @@ ptc_status too_soon_soonest(const too_soon *self, const float x[3], uint32_t *sa
                 }
             }
             if (PTC_FINITE_F32(flat1) && PTC_FINITE_F32(flat2) && PTC_FINITE_F32(flat3)) {
-                if (0U < kept) {
+                if (kept > 0U) {
                     *samples = kept;
                     status = PTC_OK;
                 } else {

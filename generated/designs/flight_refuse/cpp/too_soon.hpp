@@ -46,8 +46,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef TOO_SOON_B32D668E_HPP
-#define TOO_SOON_B32D668E_HPP
+#ifndef TOO_SOON_DE6271D7_HPP
+#define TOO_SOON_DE6271D7_HPP
 
 #include <array>
 #include <cfloat>
@@ -157,15 +157,17 @@ public:
         float v{};
 
         // The exact law in samples.
-        const float z1 = (((-120000000.0f) * x1) + (1200000.0f * x2)) - (4000.0f * x3);
-        const float z2 = ((-600000.0f) * x2) + (3000.0f * x3);
-        const float z3 = (-1200.0f) * x3;
-        v = ((((z1 / (m0 + 3.0f)) + z2) / (m0 + 2.0f)) + z3) / (m0 + 1.0f);
+        const float z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
+        const float z2 = (w2_2_ * x2) + (w2_3_ * x3);
+        const float z3 = w3_3_ * x3;
+        const float m0f1 = m0 + 3.0f;
+        const float m0f2 = m0f1 * (m0 + 2.0f);
+        v = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0f));
         if (finite(v)) {
-            if (20.0f < v) {
-                return {20.0f, Status::Saturated};
-            } else if (v < -20.0f) {
-                return {-20.0f, Status::Saturated};
+            if (v > u_max_) {
+                return {u_max_, Status::Saturated};
+            } else if (v < -u_max_) {
+                return {-u_max_, Status::Saturated};
             } else if (elapsed < last_) {
                 return {v, Status::Ok};
             } else {
@@ -182,7 +184,7 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm_for(std::uint32_t k, std::uint32_t samples, const std::array<float, 3>& x) noexcept
     {
-        if (!((2U < samples) && (samples < 2147483649U))) {
+        if (!((samples > 2U) && (samples < 2147483649U))) {
             return Status::Param;
         }
         if (!(finite(x[0]) && finite(x[1]) && finite(x[2]))) {
@@ -191,11 +193,11 @@ public:
         const float x1 = x[0];
         const float x2 = x[1];
         const float x3 = x[2];
-        const float flat1 = ((1000000.0f * x1) - (10000.0f * x2)) + (33.333332f * x3);
-        const float flat2 = (10000.0f * x2) - (50.0f * x3);
-        const float flat3 = 100.0f * x3;
-        const float least = 0.9949459f * (-20.0f);
-        const float most = 19.898918f;
+        const float flat1 = (s1_1_ * x1) + (s1_2_ * x2) + (s1_3_ * x3);
+        const float flat2 = (s2_2_ * x2) + (s2_3_ * x3);
+        const float flat3 = s3_3_ * x3;
+        const float least = 0.9949459f * (-u_max_);
+        const float most = 0.9949459f * u_max_;
         const float most2 = 0.49747294f;
         const float most3 = 3.9797835f;
         const std::uint32_t tried = samples;
@@ -363,7 +365,7 @@ public:
             && (end69 <= most3)) {
             fits = 1U;
         }
-        if (!((3U < tried) && (tried < 100001U) && (fits == 1U))) {
+        if (!((tried > 3U) && (tried < 100001U) && (fits == 1U))) {
             return Status::Soon;
         }
         start_ = k;
@@ -383,16 +385,16 @@ public:
         const float x1 = x[0];
         const float x2 = x[1];
         const float x3 = x[2];
-        const float flat1 = ((1000000.0f * x1) - (10000.0f * x2)) + (33.333332f * x3);
-        const float flat2 = (10000.0f * x2) - (50.0f * x3);
-        const float flat3 = 100.0f * x3;
+        const float flat1 = (s1_1_ * x1) + (s1_2_ * x2) + (s1_3_ * x3);
+        const float flat2 = (s2_2_ * x2) + (s2_3_ * x3);
+        const float flat3 = s3_3_ * x3;
         std::uint32_t low = 3U;
         std::uint32_t top = 100001U;
         std::uint32_t kept = 0U;
         std::uint32_t tried = 4U;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const float least = 0.9949459f * (-20.0f);
-            const float most = 19.898918f;
+            const float least = 0.9949459f * (-u_max_);
+            const float most = 0.9949459f * u_max_;
             const float most2 = 0.49747294f;
             const float most3 = 3.9797835f;
             std::uint32_t fits = 0U;
@@ -577,7 +579,7 @@ public:
             }
         }
         if (finite(flat1) && finite(flat2) && finite(flat3)) {
-            if (0U < kept) {
+            if (kept > 0U) {
                 return {kept, Status::Ok};
             } else {
                 return {0, Status::Soon};
@@ -599,6 +601,32 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr float w1_1_{-120000000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w1_2_{1200000.0f};
+    /// Weight of x3 in the law.
+    static constexpr float w1_3_{-4000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w2_2_{-600000.0f};
+    /// Weight of x3 in the law.
+    static constexpr float w2_3_{3000.0f};
+    /// Weight of x3 in the law.
+    static constexpr float w3_3_{-1200.0f};
+    /// Bound of |u|.
+    static constexpr float u_max_{20.0f};
+    /// Weight of x1 in the law.
+    static constexpr float s1_1_{1000000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float s1_2_{-10000.0f};
+    /// 100/3, weight of x3 in the law.
+    static constexpr float s1_3_{33.333332f};
+    /// Weight of x2 in the law.
+    static constexpr float s2_2_{10000.0f};
+    /// Weight of x3 in the law.
+    static constexpr float s2_3_{-50.0f};
+    /// Weight of x3 in the law.
+    static constexpr float s3_3_{100.0f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t last_{}; // samples from the start to rest, as planned now

@@ -6,6 +6,13 @@ function self = too_soon_arm_for(self, k, samples, x) %#codegen
 %   self = too_soon_arm_for(self, k, samples, x), with self from too_soon_init. Keep self: it is
 %   what the next call needs.
 
+s1_1 = single(1000000.0); % weight of x1 in the law
+s1_2 = -single(10000.0); % weight of x2 in the law
+s1_3 = single(33.33333206176758); % 100/3, weight of x3 in the law
+s2_2 = single(10000.0); % weight of x2 in the law
+s2_3 = -single(50.0); % weight of x3 in the law
+s3_3 = single(100.0); % weight of x3 in the law
+u_max = single(20.0); % bound of |u|
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
     error('too_soon:param', 'k is %g; legal: whole', k);
@@ -17,7 +24,7 @@ if ~(isfinite(samples) && (samples == floor(samples)))
 end
 samples = uint32(mod(samples, 4294967296));
 x = single(x);
-if ~((uint32(2) < samples) && (samples < uint32(2147483649)))
+if ~((samples > uint32(2)) && (samples < uint32(2147483649)))
     error('too_soon:param', 'k and samples and x, and what follows, must be finite');
 end
 if ~(isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3)))
@@ -26,11 +33,11 @@ end
 x1 = x(1);
 x2 = x(2);
 x3 = x(3);
-flat1 = ((single(1000000.0) * x1) - (single(10000.0) * x2)) + (single(33.33333206176758) * x3);
-flat2 = (single(10000.0) * x2) - (single(50.0) * x3);
-flat3 = single(100.0) * x3;
-least = single(0.9949458837509155) * (-single(20.0));
-most = single(19.89891815185547);
+flat1 = (s1_1 * x1) + (s1_2 * x2) + (s1_3 * x3);
+flat2 = (s2_2 * x2) + (s2_3 * x3);
+flat3 = s3_3 * x3;
+least = single(0.9949458837509155) * (-u_max);
+most = single(0.9949458837509155) * u_max;
 most2 = single(0.49747294187545776);
 most3 = single(3.979783535003662);
 tried = samples;
@@ -198,7 +205,7 @@ if (least <= b0_c) ...
     && (end69 <= most3)
     fits = uint32(1);
 end
-if ~((uint32(3) < tried) && (tried < uint32(100001)) && (fits == uint32(1)))
+if ~((tried > uint32(3)) && (tried < uint32(100001)) && (fits == uint32(1)))
     error('too_soon:param', 'k and samples and x, and what follows, must be finite');
 end
 self.start = k;

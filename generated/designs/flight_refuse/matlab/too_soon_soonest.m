@@ -16,6 +16,13 @@ function [samples, status] = too_soon_soonest(self, x) %#codegen
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 %     -4  there is none
 
+s1_1 = single(1000000.0); % weight of x1 in the law
+s1_2 = -single(10000.0); % weight of x2 in the law
+s1_3 = single(33.33333206176758); % 100/3, weight of x3 in the law
+s2_2 = single(10000.0); % weight of x2 in the law
+s2_3 = -single(50.0); % weight of x3 in the law
+s3_3 = single(100.0); % weight of x3 in the law
+u_max = single(20.0); % bound of |u|
 samples = uint32(0);
 x = single(x);
 if ~(isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3)))
@@ -25,16 +32,16 @@ end
 x1 = x(1);
 x2 = x(2);
 x3 = x(3);
-flat1 = ((single(1000000.0) * x1) - (single(10000.0) * x2)) + (single(33.33333206176758) * x3);
-flat2 = (single(10000.0) * x2) - (single(50.0) * x3);
-flat3 = single(100.0) * x3;
+flat1 = (s1_1 * x1) + (s1_2 * x2) + (s1_3 * x3);
+flat2 = (s2_2 * x2) + (s2_3 * x3);
+flat3 = s3_3 * x3;
 low = uint32(3);
 top = uint32(100001);
 kept = uint32(0);
 tried = uint32(4);
 for attempt = 0:63
-    least = single(0.9949458837509155) * (-single(20.0));
-    most = single(19.89891815185547);
+    least = single(0.9949458837509155) * (-u_max);
+    most = single(0.9949458837509155) * u_max;
     most2 = single(0.49747294187545776);
     most3 = single(3.979783535003662);
     fits = uint32(0);
@@ -219,7 +226,7 @@ for attempt = 0:63
     end
 end
 if isfinite(flat1) && isfinite(flat2) && isfinite(flat3)
-    if uint32(0) < kept
+    if kept > uint32(0)
         samples = kept;
         status = int32(0);
     else

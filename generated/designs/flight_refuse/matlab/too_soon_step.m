@@ -13,6 +13,13 @@ function [u, status] = too_soon_step(self, k, x) %#codegen
 %     -3  u not finite
 %      6  infeasible: nothing is known from here that keeps all limits or bounds, u is valid
 
+w1_1 = -single(120000000.0); % weight of x1 in the law
+w1_2 = single(1200000.0); % weight of x2 in the law
+w1_3 = -single(4000.0); % weight of x3 in the law
+w2_2 = -single(600000.0); % weight of x2 in the law
+w2_3 = single(3000.0); % weight of x3 in the law
+w3_3 = -single(1200.0); % weight of x3 in the law
+u_max = single(20.0); % bound of |u|
 u = single(0.0);
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -33,16 +40,18 @@ left = self.last - elapsed;
 m0 = pick(single(left) < single(3.0), single(3.0), single(left));
 
 % The exact law in samples.
-z1 = (((-single(120000000.0)) * x1) + (single(1200000.0) * x2)) - (single(4000.0) * x3);
-z2 = ((-single(600000.0)) * x2) + (single(3000.0) * x3);
-z3 = (-single(1200.0)) * x3;
-v = ((((z1 / (m0 + single(3.0))) + z2) / (m0 + single(2.0))) + z3) / (m0 + single(1.0));
+z1 = (w1_1 * x1) + (w1_2 * x2) + (w1_3 * x3);
+z2 = (w2_2 * x2) + (w2_3 * x3);
+z3 = w3_3 * x3;
+m0f1 = m0 + single(3.0);
+m0f2 = m0f1 * (m0 + single(2.0));
+v = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + single(1.0)));
 if isfinite(v)
-    if single(20.0) < v
-        u = single(20.0);
+    if v > u_max
+        u = u_max;
         status = int32(2);
-    elseif v < -single(20.0)
-        u = -single(20.0);
+    elseif v < -u_max
+        u = -u_max;
         status = int32(2);
     elseif elapsed < self.last
         u = v;

@@ -105,6 +105,33 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of x1 in the law.
+_W1_1 = _R(-_R(120000000.0))
+# Weight of x2 in the law.
+_W1_2 = _R(_R(1200000.0))
+# Weight of x3 in the law.
+_W1_3 = _R(-_R(4000.0))
+# Weight of x2 in the law.
+_W2_2 = _R(-_R(600000.0))
+# Weight of x3 in the law.
+_W2_3 = _R(_R(3000.0))
+# Weight of x3 in the law.
+_W3_3 = _R(-_R(1200.0))
+# Bound of |u|.
+_U_MAX = _R(_R(20.0))
+# Weight of x1 in the law.
+_S1_1 = _R(_R(1000000.0))
+# Weight of x2 in the law.
+_S1_2 = _R(-_R(10000.0))
+# 100/3, weight of x3 in the law.
+_S1_3 = _R(_R(33.33333206176758))
+# Weight of x2 in the law.
+_S2_2 = _R(_R(10000.0))
+# Weight of x3 in the law.
+_S2_3 = _R(-_R(50.0))
+# Weight of x3 in the law.
+_S3_3 = _R(_R(100.0))
+
 class TooSoon:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -140,15 +167,17 @@ class TooSoon:
             m0 = max(_R(left), _R(3.0))
 
             # The exact law in samples.
-            z1 = (((-_R(120000000.0)) * x1) + (_R(1200000.0) * x2)) - (_R(4000.0) * x3)
-            z2 = ((-_R(600000.0)) * x2) + (_R(3000.0) * x3)
-            z3 = (-_R(1200.0)) * x3
-            v = ((((z1 / (m0 + _R(3.0))) + z2) / (m0 + _R(2.0))) + z3) / (m0 + _R(1.0))
+            z1 = (_W1_1 * x1) + (_W1_2 * x2) + (_W1_3 * x3)
+            z2 = (_W2_2 * x2) + (_W2_3 * x3)
+            z3 = _W3_3 * x3
+            m0f1 = m0 + _R(3.0)
+            m0f2 = m0f1 * (m0 + _R(2.0))
+            v = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + _R(1.0)))
             if np.isfinite(v):
-                if _R(20.0) < v:
-                    return Control(_R(20.0), Status.SATURATED)
-                elif v < -_R(20.0):
-                    return Control(-_R(20.0), Status.SATURATED)
+                if v > _U_MAX:
+                    return Control(_U_MAX, Status.SATURATED)
+                elif v < -_U_MAX:
+                    return Control(-_U_MAX, Status.SATURATED)
                 elif elapsed < self._last:
                     return Control(v, Status.OK)
                 else:
@@ -168,18 +197,18 @@ class TooSoon:
             k = k.__index__() & _WRAP
             samples = samples.__index__() & _WRAP
             x = _numbers(x, 3, "x")
-            if not ((2 < samples) and (samples < 2147483649)):
+            if not ((samples > 2) and (samples < 2147483649)):
                 raise ValueError("k and samples and x, and what follows, must be finite")
             if not (np.isfinite(x[0]) and np.isfinite(x[1]) and np.isfinite(x[2])):
                 raise ValueError("k and samples and x, and what follows, must be finite")
             x1 = x[0]
             x2 = x[1]
             x3 = x[2]
-            flat1 = ((_R(1000000.0) * x1) - (_R(10000.0) * x2)) + (_R(33.33333206176758) * x3)
-            flat2 = (_R(10000.0) * x2) - (_R(50.0) * x3)
-            flat3 = _R(100.0) * x3
-            least = _R(0.9949458837509155) * (-_R(20.0))
-            most = _R(19.89891815185547)
+            flat1 = (_S1_1 * x1) + (_S1_2 * x2) + (_S1_3 * x3)
+            flat2 = (_S2_2 * x2) + (_S2_3 * x3)
+            flat3 = _S3_3 * x3
+            least = _R(0.9949458837509155) * (-_U_MAX)
+            most = _R(0.9949458837509155) * _U_MAX
             most2 = _R(0.49747294187545776)
             most3 = _R(3.979783535003662)
             tried = samples
@@ -312,7 +341,7 @@ class TooSoon:
                 and (-most3 <= end69 <= most3)
             ):
                 fits = 1
-            if not ((3 < tried) and (tried < 100001) and (fits == 1)):
+            if not ((tried > 3) and (tried < 100001) and (fits == 1)):
                 raise ValueError("k and samples and x, and what follows, must be finite")
             self._start = k
             self._last = samples
@@ -331,16 +360,16 @@ class TooSoon:
             x1 = x[0]
             x2 = x[1]
             x3 = x[2]
-            flat1 = ((_R(1000000.0) * x1) - (_R(10000.0) * x2)) + (_R(33.33333206176758) * x3)
-            flat2 = (_R(10000.0) * x2) - (_R(50.0) * x3)
-            flat3 = _R(100.0) * x3
+            flat1 = (_S1_1 * x1) + (_S1_2 * x2) + (_S1_3 * x3)
+            flat2 = (_S2_2 * x2) + (_S2_3 * x3)
+            flat3 = _S3_3 * x3
             low = np.asarray(3)
             top = np.asarray(100001)
             kept = np.asarray(0)
             tried = np.asarray(4)
             for _ in range(64):
-                least = _R(0.9949458837509155) * (-_R(20.0))
-                most = _R(19.89891815185547)
+                least = _R(0.9949458837509155) * (-_U_MAX)
+                most = _R(0.9949458837509155) * _U_MAX
                 most2 = _R(0.49747294187545776)
                 most3 = _R(3.979783535003662)
                 fits = np.asarray(0)
@@ -486,7 +515,7 @@ class TooSoon:
                 else:
                     tried = low + half
             if np.isfinite(flat1) and np.isfinite(flat2) and np.isfinite(flat3):
-                if 0 < kept:
+                if kept > 0:
                     return int(kept)
                 else:
                     raise ValueError("no number of samples was found that keeps the limits")

@@ -144,6 +144,33 @@ pub struct TooSoon {
     clippy::nursery
 )]
 impl TooSoon {
+    /// Weight of x1 in the law.
+    const W1_1: f32 = -120000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f32 = 1200000.0;
+    /// Weight of x3 in the law.
+    const W1_3: f32 = -4000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f32 = -600000.0;
+    /// Weight of x3 in the law.
+    const W2_3: f32 = 3000.0;
+    /// Weight of x3 in the law.
+    const W3_3: f32 = -1200.0;
+    /// Bound of |u|.
+    const U_MAX: f32 = 20.0;
+    /// Weight of x1 in the law.
+    const S1_1: f32 = 1000000.0;
+    /// Weight of x2 in the law.
+    const S1_2: f32 = -10000.0;
+    /// 100/3, weight of x3 in the law.
+    const S1_3: f32 = 33.333332;
+    /// Weight of x2 in the law.
+    const S2_2: f32 = 10000.0;
+    /// Weight of x3 in the law.
+    const S2_3: f32 = -50.0;
+    /// Weight of x3 in the law.
+    const S3_3: f32 = 100.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -184,15 +211,17 @@ impl TooSoon {
         let v: f32;
 
         // The exact law in samples.
-        let z1 = (((-120000000.0) * x1) + (1200000.0 * x2)) - (4000.0 * x3);
-        let z2 = ((-600000.0) * x2) + (3000.0 * x3);
-        let z3 = (-1200.0) * x3;
-        v = ((((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)) + z3) / (m0 + 1.0);
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2) + (Self::W1_3 * x3);
+        let z2 = (Self::W2_2 * x2) + (Self::W2_3 * x3);
+        let z3 = Self::W3_3 * x3;
+        let m0f1 = m0 + 3.0;
+        let m0f2 = m0f1 * (m0 + 2.0);
+        v = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * (m0 + 1.0));
         let (u, status) = if v.is_finite() {
-            if 20.0 < v {
-                (20.0, Status::Saturated)
-            } else if v < -20.0 {
-                (-20.0, Status::Saturated)
+            if v > Self::U_MAX {
+                (Self::U_MAX, Status::Saturated)
+            } else if v < -Self::U_MAX {
+                (-Self::U_MAX, Status::Saturated)
             } else if elapsed < self.last {
                 (v, Status::Ok)
             } else {
@@ -213,7 +242,7 @@ impl TooSoon {
     /// out of its domain. `Soon`: a limit could be exceeded with so few samples, or with any.
     #[inline]
     pub fn arm_for(&mut self, k: u32, samples: u32, x: &[f32; 3]) -> Result<(), Error> {
-        if !((2 < samples) && (samples < 2147483649)) {
+        if !((samples > 2) && (samples < 2147483649)) {
             return Err(Error::Param);
         }
         if !(x[0].is_finite() && x[1].is_finite() && x[2].is_finite()) {
@@ -222,11 +251,11 @@ impl TooSoon {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        let flat1 = ((1000000.0 * x1) - (10000.0 * x2)) + (33.333332 * x3);
-        let flat2 = (10000.0 * x2) - (50.0 * x3);
-        let flat3 = 100.0 * x3;
-        let least: f32 = 0.9949459 * (-20.0);
-        let most: f32 = 19.898918;
+        let flat1 = (Self::S1_1 * x1) + (Self::S1_2 * x2) + (Self::S1_3 * x3);
+        let flat2 = (Self::S2_2 * x2) + (Self::S2_3 * x3);
+        let flat3 = Self::S3_3 * x3;
+        let least: f32 = 0.9949459 * (-Self::U_MAX);
+        let most: f32 = 0.9949459 * Self::U_MAX;
         let most2: f32 = 0.49747294;
         let most3: f32 = 3.9797835;
         let tried = samples;
@@ -395,7 +424,7 @@ impl TooSoon {
         {
             fits = 1;
         }
-        if !((3 < tried) && (tried < 100001) && (fits == 1)) {
+        if !((tried > 3) && (tried < 100001) && (fits == 1)) {
             return Err(Error::Soon);
         }
         self.start = k;
@@ -418,16 +447,16 @@ impl TooSoon {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        let flat1 = ((1000000.0 * x1) - (10000.0 * x2)) + (33.333332 * x3);
-        let flat2 = (10000.0 * x2) - (50.0 * x3);
-        let flat3 = 100.0 * x3;
+        let flat1 = (Self::S1_1 * x1) + (Self::S1_2 * x2) + (Self::S1_3 * x3);
+        let flat2 = (Self::S2_2 * x2) + (Self::S2_3 * x3);
+        let flat3 = Self::S3_3 * x3;
         let mut low = 3_u32;
         let mut top = 100001_u32;
         let mut kept = 0_u32;
         let mut tried = 4_u32;
         for _ in 0..64 {
-            let least: f32 = 0.9949459 * (-20.0);
-            let most: f32 = 19.898918;
+            let least: f32 = 0.9949459 * (-Self::U_MAX);
+            let most: f32 = 0.9949459 * Self::U_MAX;
             let most2: f32 = 0.49747294;
             let most3: f32 = 3.9797835;
             let mut fits = 0_u32;
@@ -613,7 +642,7 @@ impl TooSoon {
             }
         }
         if flat1.is_finite() && flat2.is_finite() && flat3.is_finite() {
-            if 0 < kept {
+            if kept > 0 {
                 Ok(kept)
             } else {
                 Err(Error::Soon)

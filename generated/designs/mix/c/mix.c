@@ -47,8 +47,8 @@ ptc_status mix_init(mix *self, const mix_params *params)
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && (eps < tau)) {
             const double hold_from = -eps;
             if (PTC_FINITE_F64(hold_from)) {
@@ -98,7 +98,7 @@ ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], p
         const double x2 = x[1];
         const double x3 = x[2];
         if (PTC_FINITE_F64(t)
-            && (self->t0 <= t)
+            && (t >= self->t0)
             && PTC_FINITE_F64(x1)
             && PTC_FINITE_F64(x2)
             && PTC_FINITE_F64(x3)) {
@@ -128,7 +128,7 @@ ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], p
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (self->u_max < control1) {
+                if (control1 > self->u_max) {
                     u[0] = self->u_max;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -139,7 +139,7 @@ ptc_status mix_step(const mix *self, double t, const double x[3], double u[2], p
                 } else {
                     /* neither */
                 }
-                if (self->u_max < control2) {
+                if (control2 > self->u_max) {
                     u[1] = self->u_max;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

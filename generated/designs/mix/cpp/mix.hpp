@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_0E3B71B6_HPP
-#define MIX_0E3B71B6_HPP
+#ifndef MIX_5642AB27_HPP
+#define MIX_5642AB27_HPP
 
 #include <array>
 #include <cfloat>
@@ -186,8 +186,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && (eps < tau))) {
             return Status::Param;
         }
@@ -237,7 +237,7 @@ public:
         const double x1 = x[0];
         const double x2 = x[1];
         const double x3 = x[2];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3))) {
+        if (!(finite(t) && (t >= t0_) && finite(x1) && finite(x2) && finite(x3))) {
             return {{}, {{Status::Input, Status::Input}}, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -266,7 +266,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (u_max_ < control1) {
+            if (control1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -275,7 +275,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control2) {
+            if (control2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;

@@ -21,7 +21,7 @@ x = double(x);
 x1 = x(1);
 x2 = x(2);
 x3 = x(3);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3))
+if ~(isfinite(t) && (t >= self.t0) && isfinite(x1) && isfinite(x2) && isfinite(x3))
     status = int32(-2);
     return;
 end
@@ -51,7 +51,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if self.u_max < control1
+    if control1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -60,7 +60,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control2
+    if control2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

@@ -182,9 +182,9 @@ class Mix:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (1e-150 <= eps):
+            if not (eps >= 1e-150):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (eps < tau):
                 raise ValueError(f"params.eps is {params.eps}; legal: < tau")
@@ -256,7 +256,7 @@ class Mix:
             axes[0] = np.where(holds, status, axes[0])
             u[1] = np.where(holds, control2, u[1])
             axes[1] = np.where(holds, status, axes[1])
-            holds1 = np.asarray(self._u_max < control1)
+            holds1 = np.asarray(control1 > self._u_max)
             u[0] = np.where(holds1 & holds, self._u_max, u[0])
             axes[0] = np.where(holds1 & holds, Status.SATURATED, axes[0])
             status = np.where(holds1 & holds, Status.SATURATED, status)
@@ -264,7 +264,7 @@ class Mix:
             u[0] = np.where(holds2 & ~holds1 & holds, -self._u_max, u[0])
             axes[0] = np.where(holds2 & ~holds1 & holds, Status.SATURATED, axes[0])
             status = np.where(holds2 & ~holds1 & holds, Status.SATURATED, status)
-            holds1 = np.asarray(self._u_max < control2)
+            holds1 = np.asarray(control2 > self._u_max)
             u[1] = np.where(holds1 & holds, self._u_max, u[1])
             axes[1] = np.where(holds1 & holds, Status.SATURATED, axes[1])
             status = np.where(holds1 & holds, Status.SATURATED, status)
@@ -279,7 +279,7 @@ class Mix:
             chosen = np.where(np.isfinite(control2), status, Status.RANGE)
             axes[1] = np.where(~holds, chosen, axes[1])
             status = np.where(~holds, Status.RANGE, status)
-            legal = np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
+            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             axes = [np.where(legal, each, Status.INPUT) for each in axes]
             status = np.where(legal, status, Status.INPUT)
             every = np.broadcast_arrays(*u, *axes, status)

@@ -243,8 +243,8 @@ impl Mix {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && (eps < tau))
         {
             return Err(Error::Param);
@@ -303,7 +303,7 @@ impl Mix {
         let x1 = x[0];
         let x2 = x[1];
         let x3 = x[2];
-        if !(t.is_finite() && (self.t0 <= t) && x1.is_finite() && x2.is_finite() && x3.is_finite())
+        if !(t.is_finite() && (t >= self.t0) && x1.is_finite() && x2.is_finite() && x3.is_finite())
         {
             return failed(Error::Input);
         }
@@ -341,7 +341,7 @@ impl Mix {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if self.u_max < control1 {
+            if control1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -350,7 +350,7 @@ impl Mix {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < control2 {
+            if control2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -110,7 +110,7 @@ ptc_status mix_fixed_step(
         axes[0] = status;
         u[1] = control2;
         axes[1] = status;
-        if (40.0 < control1) {
+        if (control1 > 40.0) {
             u[0] = 40.0;
             axes[0] = PTC_SATURATED;
             status = PTC_SATURATED;
@@ -121,7 +121,7 @@ ptc_status mix_fixed_step(
         } else {
             /* neither */
         }
-        if (15.0 < control2) {
+        if (control2 > 15.0) {
             u[1] = 15.0;
             axes[1] = PTC_SATURATED;
             status = PTC_SATURATED;

@@ -85,8 +85,8 @@
  * Operations of one step, without input checks and clipping: 13 additions or comparisons, 15
  *       multiplications, 2 divisions, 1 function call.
  */
-#ifndef MIX_FIXED_C83ECA4A_HPP
-#define MIX_FIXED_C83ECA4A_HPP
+#ifndef MIX_FIXED_F4DCA4E7_HPP
+#define MIX_FIXED_F4DCA4E7_HPP
 
 #include <array>
 #include <cfloat>
@@ -243,7 +243,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (40.0 < control1) {
+            if (control1 > 40.0) {
                 all.u[0] = 40.0;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -252,7 +252,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (15.0 < control2) {
+            if (control2 > 15.0) {
                 all.u[1] = 15.0;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;

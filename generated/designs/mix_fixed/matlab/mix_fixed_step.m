@@ -49,7 +49,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if 40.0 < control1
+    if control1 > 40.0
         u(1) = 40.0;
         axes(1) = int32(2);
         status = int32(2);
@@ -58,7 +58,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if 15.0 < control2
+    if control2 > 15.0
         u(2) = 15.0;
         axes(2) = int32(2);
         status = int32(2);

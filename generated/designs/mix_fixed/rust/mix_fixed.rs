@@ -294,7 +294,7 @@ impl MixFixed {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if 40.0 < control1 {
+            if control1 > 40.0 {
                 u[0] = 40.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -303,7 +303,7 @@ impl MixFixed {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 15.0 < control2 {
+            if control2 > 15.0 {
                 u[1] = 15.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -52,8 +52,8 @@ ptc_status ptc_rational_inputs4_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -66,8 +66,8 @@ ptc_status ptc_rational_inputs4_init(
             const double hold_from = -eps;
             const double size_K1_axis1 = (fabs(k1) <= 0.0) ? 1e-200 : fabs(K1_axis1);
             const double size_p_m = (fabs(p_m) <= 0.0) ? 1e-200 : fabs(p_m);
-            if ((1e-200 <= size_K1_axis1)
-                && (1e-200 <= size_p_m)
+            if ((size_K1_axis1 >= 1e-200)
+                && (size_p_m >= 1e-200)
                 && PTC_FINITE_F64(c1_axis1)
                 && PTC_FINITE_F64(hold_from)) {
                 built.tau = tau;
@@ -170,7 +170,7 @@ ptc_status ptc_rational_inputs4_step(
         const double x3 = x[2];
         const double x4 = x[3];
         if (PTC_FINITE_F64(t)
-            && (self->t0 <= t)
+            && (t >= self->t0)
             && PTC_FINITE_F64(x1)
             && PTC_FINITE_F64(x2)
             && PTC_FINITE_F64(x3)
@@ -224,7 +224,7 @@ ptc_status ptc_rational_inputs4_step(
                 axes[2] = status;
                 u[3] = control4;
                 axes[3] = status;
-                if (self->u_max < control1) {
+                if (control1 > self->u_max) {
                     u[0] = self->u_max;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -235,7 +235,7 @@ ptc_status ptc_rational_inputs4_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < control2) {
+                if (control2 > self->u_max) {
                     u[1] = self->u_max;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -246,7 +246,7 @@ ptc_status ptc_rational_inputs4_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < control3) {
+                if (control3 > self->u_max) {
                     u[2] = self->u_max;
                     axes[2] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -257,7 +257,7 @@ ptc_status ptc_rational_inputs4_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < control4) {
+                if (control4 > self->u_max) {
                     u[3] = self->u_max;
                     axes[3] = PTC_SATURATED;
                     status = PTC_SATURATED;

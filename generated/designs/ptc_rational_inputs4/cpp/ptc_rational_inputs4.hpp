@@ -77,8 +77,8 @@
  * Operations of one step, without input checks and clipping: 38 additions or comparisons, 33
  *       multiplications, 14 divisions, 1 function call.
  */
-#ifndef PTC_RATIONAL_INPUTS4_FF5C18CC_HPP
-#define PTC_RATIONAL_INPUTS4_FF5C18CC_HPP
+#ifndef PTC_RATIONAL_INPUTS4_358BB88A_HPP
+#define PTC_RATIONAL_INPUTS4_358BB88A_HPP
 
 #include <array>
 #include <cfloat>
@@ -184,8 +184,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && finite(a)
                 && (1e-150 <= a)
                 && (a <= 1e150)
@@ -200,8 +200,8 @@ public:
         const double hold_from = -eps;
         const double size_K1_axis1 = (absolute(k1) <= 0.0) ? 1e-200 : absolute(K1_axis1);
         const double size_p_m = (absolute(p_m) <= 0.0) ? 1e-200 : absolute(p_m);
-        if (!((1e-200 <= size_K1_axis1)
-                && (1e-200 <= size_p_m)
+        if (!((size_K1_axis1 >= 1e-200)
+                && (size_p_m >= 1e-200)
                 && finite(c1_axis1)
                 && finite(hold_from))) {
             return Status::Param;
@@ -251,7 +251,7 @@ public:
         const double x2 = x[1];
         const double x3 = x[2];
         const double x4 = x[3];
-        if (!(finite(t) && (t0_ <= t) && finite(x1) && finite(x2) && finite(x3) && finite(x4))) {
+        if (!(finite(t) && (t >= t0_) && finite(x1) && finite(x2) && finite(x3) && finite(x4))) {
             return {{}, {{Status::Input, Status::Input, Status::Input, Status::Input}}, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -305,7 +305,7 @@ public:
             all.axes[2] = all.status;
             all.u[3] = control4;
             all.axes[3] = all.status;
-            if (u_max_ < control1) {
+            if (control1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -314,7 +314,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control2) {
+            if (control2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -323,7 +323,7 @@ public:
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control3) {
+            if (control3 > u_max_) {
                 all.u[2] = u_max_;
                 all.axes[2] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -332,7 +332,7 @@ public:
                 all.axes[2] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control4) {
+            if (control4 > u_max_) {
                 all.u[3] = u_max_;
                 all.axes[3] = Status::Saturated;
                 all.status = Status::Saturated;

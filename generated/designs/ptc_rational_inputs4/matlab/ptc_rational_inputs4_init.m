@@ -115,10 +115,10 @@ end
 if ~isfinite(t0)
     error('ptc_rational_inputs4:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(1e-150 <= eps)
+if ~(eps >= 1e-150)
     error('ptc_rational_inputs4:param', 'params.eps is %g; legal: >= 1e-150', params.eps);
 end
-if ~(0.0 < u_max)
+if ~(u_max > 0.0)
     error('ptc_rational_inputs4:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~(isfinite(a) && (1e-150 <= a) && (a <= 1e150))
@@ -139,7 +139,7 @@ c1_axis1 = -K1_axis1;
 hold_from = -eps;
 size_K1_axis1 = pick(abs(k1) <= 0.0, 1e-200, abs(K1_axis1));
 size_p_m = pick(abs(p_m) <= 0.0, 1e-200, abs(p_m));
-if ~((1e-200 <= size_K1_axis1) && (1e-200 <= size_p_m) && isfinite(c1_axis1) && isfinite(hold_from))
+if ~((size_K1_axis1 >= 1e-200) && (size_p_m >= 1e-200) && isfinite(c1_axis1) && isfinite(hold_from))
     error('ptc_rational_inputs4:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.tau = tau;

@@ -23,7 +23,7 @@ x1 = x(1);
 x2 = x(2);
 x3 = x(3);
 x4 = x(4);
-if ~(isfinite(t) && (self.t0 <= t) && isfinite(x1) && isfinite(x2) && isfinite(x3) && isfinite(x4))
+if ~(isfinite(t) && (t >= self.t0) && isfinite(x1) && isfinite(x2) && isfinite(x3) && isfinite(x4))
     status = int32(-2);
     return;
 end
@@ -54,7 +54,7 @@ if isfinite(control1) && isfinite(control2) && isfinite(control3) && isfinite(co
     axes(3) = status;
     u(4) = control4;
     axes(4) = status;
-    if self.u_max < control1
+    if control1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -63,7 +63,7 @@ if isfinite(control1) && isfinite(control2) && isfinite(control3) && isfinite(co
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control2
+    if control2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);
@@ -72,7 +72,7 @@ if isfinite(control1) && isfinite(control2) && isfinite(control3) && isfinite(co
         axes(2) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control3
+    if control3 > self.u_max
         u(3) = self.u_max;
         axes(3) = int32(2);
         status = int32(2);
@@ -81,7 +81,7 @@ if isfinite(control1) && isfinite(control2) && isfinite(control3) && isfinite(co
         axes(3) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control4
+    if control4 > self.u_max
         u(4) = self.u_max;
         axes(4) = int32(2);
         status = int32(2);

@@ -231,9 +231,9 @@ class PtcRationalInputs4:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (1e-150 <= eps):
+            if not (eps >= 1e-150):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (np.isfinite(a) and (1e-150 <= a <= 1e150)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
@@ -250,8 +250,8 @@ class PtcRationalInputs4:
             size_K1_axis1 = _R(1e-200) if np.abs(k1) <= 0.0 else np.abs(K1_axis1)
             size_p_m = _R(1e-200) if np.abs(p_m) <= 0.0 else np.abs(p_m)
             if not (
-                (1e-200 <= size_K1_axis1)
-                and (1e-200 <= size_p_m)
+                (size_K1_axis1 >= 1e-200)
+                and (size_p_m >= 1e-200)
                 and np.isfinite(c1_axis1)
                 and np.isfinite(hold_from)
             ):
@@ -324,7 +324,7 @@ class PtcRationalInputs4:
             axes[2] = np.where(holds, status, axes[2])
             u[3] = np.where(holds, control4, u[3])
             axes[3] = np.where(holds, status, axes[3])
-            holds1 = np.asarray(self._u_max < control1)
+            holds1 = np.asarray(control1 > self._u_max)
             u[0] = np.where(holds1 & holds, self._u_max, u[0])
             axes[0] = np.where(holds1 & holds, Status.SATURATED, axes[0])
             status = np.where(holds1 & holds, Status.SATURATED, status)
@@ -332,7 +332,7 @@ class PtcRationalInputs4:
             u[0] = np.where(holds2 & ~holds1 & holds, -self._u_max, u[0])
             axes[0] = np.where(holds2 & ~holds1 & holds, Status.SATURATED, axes[0])
             status = np.where(holds2 & ~holds1 & holds, Status.SATURATED, status)
-            holds1 = np.asarray(self._u_max < control2)
+            holds1 = np.asarray(control2 > self._u_max)
             u[1] = np.where(holds1 & holds, self._u_max, u[1])
             axes[1] = np.where(holds1 & holds, Status.SATURATED, axes[1])
             status = np.where(holds1 & holds, Status.SATURATED, status)
@@ -340,7 +340,7 @@ class PtcRationalInputs4:
             u[1] = np.where(holds2 & ~holds1 & holds, -self._u_max, u[1])
             axes[1] = np.where(holds2 & ~holds1 & holds, Status.SATURATED, axes[1])
             status = np.where(holds2 & ~holds1 & holds, Status.SATURATED, status)
-            holds1 = np.asarray(self._u_max < control3)
+            holds1 = np.asarray(control3 > self._u_max)
             u[2] = np.where(holds1 & holds, self._u_max, u[2])
             axes[2] = np.where(holds1 & holds, Status.SATURATED, axes[2])
             status = np.where(holds1 & holds, Status.SATURATED, status)
@@ -348,7 +348,7 @@ class PtcRationalInputs4:
             u[2] = np.where(holds2 & ~holds1 & holds, -self._u_max, u[2])
             axes[2] = np.where(holds2 & ~holds1 & holds, Status.SATURATED, axes[2])
             status = np.where(holds2 & ~holds1 & holds, Status.SATURATED, status)
-            holds1 = np.asarray(self._u_max < control4)
+            holds1 = np.asarray(control4 > self._u_max)
             u[3] = np.where(holds1 & holds, self._u_max, u[3])
             axes[3] = np.where(holds1 & holds, Status.SATURATED, axes[3])
             status = np.where(holds1 & holds, Status.SATURATED, status)
@@ -369,7 +369,7 @@ class PtcRationalInputs4:
             chosen = np.where(np.isfinite(control4), status, Status.RANGE)
             axes[3] = np.where(~holds, chosen, axes[3])
             status = np.where(~holds, Status.RANGE, status)
-            legal = np.isfinite(t) & (self._t0 <= t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3) & np.isfinite(x4)
+            legal = np.isfinite(t) & (t >= self._t0) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3) & np.isfinite(x4)
             axes = [np.where(legal, each, Status.INPUT) for each in axes]
             status = np.where(legal, status, Status.INPUT)
             every = np.broadcast_arrays(*u, *axes, status)

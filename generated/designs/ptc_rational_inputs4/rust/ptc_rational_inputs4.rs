@@ -248,8 +248,8 @@ impl PtcRationalInputs4 {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -269,8 +269,8 @@ impl PtcRationalInputs4 {
             K1_axis1.abs()
         };
         let size_p_m = if p_m.abs() <= 0.0 { 1e-200 } else { p_m.abs() };
-        if !((1e-200 <= size_K1_axis1)
-            && (1e-200 <= size_p_m)
+        if !((size_K1_axis1 >= 1e-200)
+            && (size_p_m >= 1e-200)
             && c1_axis1.is_finite()
             && hold_from.is_finite())
         {
@@ -330,7 +330,7 @@ impl PtcRationalInputs4 {
         let x3 = x[2];
         let x4 = x[3];
         if !(t.is_finite()
-            && (self.t0 <= t)
+            && (t >= self.t0)
             && x1.is_finite()
             && x2.is_finite()
             && x3.is_finite()
@@ -392,7 +392,7 @@ impl PtcRationalInputs4 {
             axes[2] = status;
             u[3] = control4;
             axes[3] = status;
-            if self.u_max < control1 {
+            if control1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -401,7 +401,7 @@ impl PtcRationalInputs4 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < control2 {
+            if control2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -410,7 +410,7 @@ impl PtcRationalInputs4 {
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < control3 {
+            if control3 > self.u_max {
                 u[2] = self.u_max;
                 axes[2] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -419,7 +419,7 @@ impl PtcRationalInputs4 {
                 axes[2] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < control4 {
+            if control4 > self.u_max {
                 u[3] = self.u_max;
                 axes[3] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

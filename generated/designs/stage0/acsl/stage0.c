@@ -37,27 +37,27 @@ ptc_status stage0_init(stage0 *self, const stage0_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0U < params->samples)
+        if ((params->samples > 0U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (0.0 < params->u_max)
+            && (params->u_max > 0.0)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double s1 = (params->k[0] / params->a) + 1.0;
             const double s2 = (s1 < 2.0) ? 2.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double w1_1 = (-(params->k[0] / params->a)) * (1.0 / params->h);
             const double b_1 = -(1.0 / params->h);
             const double u_max = params->u_max;
             if (PTC_FINITE_F64(deadbeat)
                 && PTC_FINITE_F64(w1_1)
                 && PTC_FINITE_F64(b_1)
-                && (1e-200 <= params->h)
-                && (1e-200 <= 1.0 / params->h)) {
+                && (params->h >= 1e-200)
+                && (1.0 / params->h >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat = deadbeat;
@@ -96,7 +96,7 @@ ptc_status stage0_step(const stage0 *self, uint32_t k, const double x[1], double
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = (double)left;
             double v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const double z1 = self->w1_1 * x1;
                 v = z1 / m0;
@@ -105,7 +105,7 @@ ptc_status stage0_step(const stage0 *self, uint32_t k, const double x[1], double
                 v = self->b_1 * x1;
             }
             if (PTC_FINITE_F64(v)) {
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {

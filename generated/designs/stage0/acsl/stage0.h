@@ -38,8 +38,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE0_7020339E_H
-#define STAGE0_7020339E_H
+#ifndef STAGE0_BF1CE085_H
+#define STAGE0_BF1CE085_H
 
 #include <stdint.h>
 
@@ -80,8 +80,8 @@ typedef struct stage0 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double b_1; /* weight of x1 in the law */
     double u_max; /* bound of |u| */
 } stage0;
 

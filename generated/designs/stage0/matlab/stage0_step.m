@@ -28,7 +28,7 @@ elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 x1 = x(1);
 left = self.samples - elapsed;
 m0 = double(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     z1 = self.w1_1 * x1;
     v = z1 / m0;
@@ -37,7 +37,7 @@ else
     v = self.b_1 * x1;
 end
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
     elseif v < -self.u_max

@@ -126,30 +126,30 @@ class Stage0:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 1, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (0 < given_samples):
+            if not (given_samples > 0):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 1")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (1e-150 <= given_a <= 1e150):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = (given_k[0] / given_a) + 1.0
             s2 = max(s1, _R(2.0))
-            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > 0.0 else s2
             w1_1 = (-(given_k[0] / given_a)) * (1.0 / given_h)
             b_1 = -(1.0 / given_h)
             u_max = given_u_max
             if not (np.isfinite(deadbeat) and np.isfinite(w1_1) and np.isfinite(b_1)):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
-            if not (1e-200 <= given_h):
+            if not (given_h >= 1e-200):
                 raise ValueError(f"params.h is {params.h}; legal: >= 1e-200")
-            if not (1e-200 <= 1.0 / given_h):
+            if not (1.0 / given_h >= 1e-200):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
             self._samples = samples
@@ -177,7 +177,7 @@ class Stage0:
             x1 = x[0]
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = self._w1_1 * x1
                 v = z1 / m0
@@ -185,7 +185,7 @@ class Stage0:
                 # Deadbeat.
                 v = self._b_1 * x1
             if np.isfinite(v):
-                if self._u_max < v:
+                if v > self._u_max:
                     return Control(self._u_max, Status.SATURATED)
                 elif v < -self._u_max:
                     return Control(-self._u_max, Status.SATURATED)

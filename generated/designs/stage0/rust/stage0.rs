@@ -139,9 +139,9 @@ pub struct Stage0 {
     samples: u32,
     /// samples to go at which deadbeat takes over.
     deadbeat: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f64,
     /// bound of |u|.
     u_max: f64,
@@ -161,22 +161,22 @@ impl Stage0 {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage0Params) -> Result<Self, Error> {
-        if !((0 < params.samples)
+        if !((params.samples > 0)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && (1e-150 <= params.a)
             && (params.a <= 1e150)
             && params.k[0].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = (params.k[0] / params.a) + 1.0;
         let s2 = if s1 < 2.0 { 2.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -187,8 +187,8 @@ impl Stage0 {
         if !(deadbeat.is_finite()
             && w1_1.is_finite()
             && b_1.is_finite()
-            && (1e-200 <= params.h)
-            && (1e-200 <= 1.0 / params.h))
+            && (params.h >= 1e-200)
+            && (1.0 / params.h >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -222,7 +222,7 @@ impl Stage0 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f64;
         let v: f64;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = self.w1_1 * x1;
             v = z1 / m0;
@@ -231,7 +231,7 @@ impl Stage0 {
             v = self.b_1 * x1;
         }
         let (u, status) = if v.is_finite() {
-            if self.u_max < v {
+            if v > self.u_max {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {
                 (-self.u_max, Status::Saturated)

@@ -10,9 +10,9 @@
  * Outcomes of conditions that no input tried brings about are not exercised:
  *   PTC_FINITE_F64(b_1): held with each of 3052 sets of parameters that passed the tests before
  *     it.
- *   1e-200 <= params->h: held with each of 3052 sets of parameters that passed the tests before
+ *   params->h >= 1e-200: held with each of 3052 sets of parameters that passed the tests before
  *     it.
- *   1e-200 <= 1.0 / params->h: held with each of 3052 sets of parameters that passed the tests
+ *   1.0 / params->h >= 1e-200: held with each of 3052 sets of parameters that passed the tests
  *     before it.
  */
 #ifndef STAGE0_SELFTEST_H

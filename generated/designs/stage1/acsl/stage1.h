@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE1_249102F7_H
-#define STAGE1_249102F7_H
+#ifndef STAGE1_06E760B6_H
+#define STAGE1_06E760B6_H
 
 #include <stdint.h>
 
@@ -81,11 +81,11 @@ typedef struct stage1 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     float deadbeat; /* samples to go at which deadbeat takes over */
-    float w1_1; /* weight of a state in the law */
-    float w1_2; /* weight of a state in the law */
-    float w2_2; /* weight of a state in the law */
-    float b_1; /* weight of a state in the law */
-    float b_2; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
+    float w1_2; /* weight of x2 in the law */
+    float w2_2; /* weight of x2 in the law */
+    float b_1; /* weight of x1 in the law */
+    float b_2; /* weight of x2 in the law */
     float u_max; /* bound of |u| */
 } stage1;
 

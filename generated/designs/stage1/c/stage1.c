@@ -37,20 +37,20 @@ ptc_status stage1_init(stage1 *self, const stage1_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples)
+        if ((params->samples > 1U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (0.0f < params->u_max)
+            && (params->u_max > 0.0f)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
             const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float s3 = -(params->k[0] / (params->a * params->a));
             const float w1_1 = s3 * (1.0f / (params->h * params->h));
             const float s4 = (-0.5f) * (-(params->k[0] / (params->a * params->a)));
@@ -65,8 +65,8 @@ ptc_status stage1_init(stage1 *self, const stage1_params *params)
                 && PTC_FINITE_F32(w2_2)
                 && PTC_FINITE_F32(b_1)
                 && PTC_FINITE_F32(b_2)
-                && (1e-30f <= params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h) >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat = deadbeat;
@@ -109,18 +109,18 @@ ptc_status stage1_step(const stage1 *self, uint32_t k, const float x[2], float *
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const float m0 = (float)left;
             float v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const float z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
                 const float z2 = self->w2_2 * x2;
-                v = ((z1 / m0) + z2) / (m0 - 1.0f);
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0f));
             } else {
                 /* Deadbeat. */
                 v = (self->b_1 * x1) + (self->b_2 * x2);
             }
             if (PTC_FINITE_F32(v)) {
                 if (elapsed < self->samples) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {

@@ -38,8 +38,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE1_1C964BF6_HPP
-#define STAGE1_1C964BF6_HPP
+#ifndef STAGE1_3A7747A6_HPP
+#define STAGE1_3A7747A6_HPP
 
 #include <array>
 #include <cfloat>
@@ -117,22 +117,22 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples)
+        if (!((params.samples > 1U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
-                && (0.0f < params.u_max)
+                && (params.u_max > 0.0f)
                 && (1e-18f <= params.a)
                 && (params.a <= 1e18f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const float s1 = ((params.k[1] / params.a) - 1.0f) + 2.0f;
         const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-        const float deadbeat = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float s3 = -(params.k[0] / (params.a * params.a));
         const float w1_1 = s3 * (1.0f / (params.h * params.h));
         const float s4 = (-0.5f) * (-(params.k[0] / (params.a * params.a)));
@@ -147,8 +147,8 @@ public:
                 && finite(w2_2)
                 && finite(b_1)
                 && finite(b_2)
-                && (1e-30f <= params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h) >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -182,18 +182,18 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const float m0 = static_cast<float>(left);
         float v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const float z1 = (w1_1_ * x1) + (w1_2_ * x2);
             const float z2 = w2_2_ * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0f);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0f));
         } else {
             // Deadbeat.
             v = (b_1_ * x1) + (b_2_ * x2);
         }
         if (finite(v)) {
             if (elapsed < samples_) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};
@@ -218,11 +218,11 @@ private:
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     float deadbeat_{}; // samples to go at which deadbeat takes over
-    float w1_1_{}; // weight of a state in the law
-    float w1_2_{}; // weight of a state in the law
-    float w2_2_{}; // weight of a state in the law
-    float b_1_{}; // weight of a state in the law
-    float b_2_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
+    float w1_2_{}; // weight of x2 in the law
+    float w2_2_{}; // weight of x2 in the law
+    float b_1_{}; // weight of x1 in the law
+    float b_2_{}; // weight of x2 in the law
     float u_max_{}; // bound of |u|
 };
 

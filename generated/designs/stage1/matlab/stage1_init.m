@@ -64,13 +64,13 @@ if numel(params.k) ~= 2
     error('stage1:param', 'params.k has %d numbers; legal: 2', numel(params.k));
 end
 given.deadbeat = single(params.deadbeat);
-if ~(uint32(1) < given.samples)
+if ~(given.samples > uint32(1))
     error('stage1:param', 'params.samples is %g; legal: >= 2', params.samples);
 end
 if ~((single(1.000000045813705e-18) <= given.h) && (given.h <= single(9.999999843067494e17)))
     error('stage1:param', 'params.h is %g; legal: from 1.000000045813705e-18 to 9.999999843067494e17', params.h);
 end
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage1:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~((single(1.000000045813705e-18) <= given.a) && (given.a <= single(9.999999843067494e17)))
@@ -82,13 +82,13 @@ end
 if ~isfinite(given.k(2))
     error('stage1:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
-if ~(isfinite(given.deadbeat) && (single(0.0) <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= single(0.0)))
     error('stage1:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = ((given.k(2) / given.a) - single(1.0)) + single(2.0);
 s2 = pick(s1 < single(4.0), single(4.0), s1);
-deadbeat = pick(single(0.0) < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > single(0.0), given.deadbeat, s2);
 s3 = -(given.k(1) / (given.a * given.a));
 w1_1 = s3 * (single(1.0) / (given.h * given.h));
 s4 = (-single(0.5)) * (-(given.k(1) / (given.a * given.a)));
@@ -103,8 +103,8 @@ if ~(isfinite(deadbeat) ...
     && isfinite(w2_2) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
-    && (single(1.0000000031710769e-30) <= given.h * given.h) ...
-    && (single(1.0000000031710769e-30) <= single(1.0) / (given.h * given.h)))
+    && (given.h * given.h >= single(1.0000000031710769e-30)) ...
+    && (single(1.0) / (given.h * given.h) >= single(1.0000000031710769e-30)))
     error('stage1:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -140,15 +140,15 @@ pub struct Stage1 {
     samples: u32,
     /// samples to go at which deadbeat takes over.
     deadbeat: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f32,
     /// bound of |u|.
     u_max: f32,
@@ -168,23 +168,23 @@ impl Stage1 {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage1Params) -> Result<Self, Error> {
-        if !((1 < params.samples)
+        if !((params.samples > 1)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && (1e-18 <= params.a)
             && (params.a <= 1e18)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = ((params.k[1] / params.a) - 1.0) + 2.0;
         let s2 = if s1 < 4.0 { 4.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -203,8 +203,8 @@ impl Stage1 {
             && w2_2.is_finite()
             && b_1.is_finite()
             && b_2.is_finite()
-            && (1e-30 <= params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h) >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -242,18 +242,18 @@ impl Stage1 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f32;
         let v: f32;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
             let z2 = self.w2_2 * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
         } else {
             // Deadbeat.
             v = (self.b_1 * x1) + (self.b_2 * x2);
         }
         let (u, status) = if v.is_finite() {
             if elapsed < self.samples {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)

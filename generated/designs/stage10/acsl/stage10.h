@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE10_CE626B71_H
-#define STAGE10_CE626B71_H
+#ifndef STAGE10_470DC963_H
+#define STAGE10_470DC963_H
 
 #include <stdint.h>
 
@@ -79,11 +79,11 @@ typedef struct stage10_params {
 typedef struct stage10 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
-    float w1_1; /* weight of a state in the law */
-    float w1_2; /* weight of a state in the law */
-    float w2_2; /* weight of a state in the law */
-    float b_1; /* weight of a state in the law */
-    float b_2; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
+    float w1_2; /* weight of x2 in the law */
+    float w2_2; /* weight of x2 in the law */
+    float b_1; /* weight of x1 in the law */
+    float b_2; /* weight of x2 in the law */
     float u_max; /* bound of |u| */
 } stage10;
 

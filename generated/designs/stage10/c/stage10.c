@@ -32,15 +32,17 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE10_DEADBEAT 20.0f /* samples to go at which deadbeat takes over */
 ptc_status stage10_init(stage10 *self, const stage10_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples)
+        if ((params->samples > 1U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (0.0f < params->u_max)
+            && (params->u_max > 0.0f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])) {
             const uint32_t samples = params->samples;
@@ -55,8 +57,8 @@ ptc_status stage10_init(stage10 *self, const stage10_params *params)
                 && PTC_FINITE_F32(w2_2)
                 && PTC_FINITE_F32(b_1)
                 && PTC_FINITE_F32(b_2)
-                && (1e-30f <= params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h) >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->w1_1 = w1_1;
@@ -98,17 +100,17 @@ ptc_status stage10_step(const stage10 *self, uint32_t k, const float x[2], float
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const float m0 = (float)left;
             float v;
-            if (20.0f < m0) {
+            if (m0 > STAGE10_DEADBEAT) {
                 /* The exact law in samples. */
                 const float z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
                 const float z2 = self->w2_2 * x2;
-                v = ((z1 / m0) + z2) / (m0 - 1.0f);
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0f));
             } else {
                 /* Deadbeat. */
                 v = (self->b_1 * x1) + (self->b_2 * x2);
             }
             if (PTC_FINITE_F32(v)) {
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {

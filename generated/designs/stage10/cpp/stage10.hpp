@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE10_1936FC55_HPP
-#define STAGE10_1936FC55_HPP
+#ifndef STAGE10_62C7D123_HPP
+#define STAGE10_62C7D123_HPP
 
 #include <array>
 #include <cfloat>
@@ -116,10 +116,10 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples)
+        if (!((params.samples > 1U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
-                && (0.0f < params.u_max)
+                && (params.u_max > 0.0f)
                 && finite(params.k[0])
                 && finite(params.k[1]))) {
             return Status::Param;
@@ -136,8 +136,8 @@ public:
                 && finite(w2_2)
                 && finite(b_1)
                 && finite(b_2)
-                && (1e-30f <= params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h) >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -170,17 +170,17 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const float m0 = static_cast<float>(left);
         float v{};
-        if (20.0f < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const float z1 = (w1_1_ * x1) + (w1_2_ * x2);
             const float z2 = w2_2_ * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0f);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0f));
         } else {
             // Deadbeat.
             v = (b_1_ * x1) + (b_2_ * x2);
         }
         if (finite(v)) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {
                 return {-u_max_, Status::Saturated};
@@ -200,14 +200,16 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// Samples to go at which deadbeat takes over.
+    static constexpr float deadbeat_{20.0f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
-    float w1_1_{}; // weight of a state in the law
-    float w1_2_{}; // weight of a state in the law
-    float w2_2_{}; // weight of a state in the law
-    float b_1_{}; // weight of a state in the law
-    float b_2_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
+    float w1_2_{}; // weight of x2 in the law
+    float w2_2_{}; // weight of x2 in the law
+    float b_1_{}; // weight of x1 in the law
+    float b_2_{}; // weight of x2 in the law
     float u_max_{}; // bound of |u|
 };
 

@@ -61,13 +61,13 @@ given.k = single(params.k);
 if numel(params.k) ~= 2
     error('stage10:param', 'params.k has %d numbers; legal: 2', numel(params.k));
 end
-if ~(uint32(1) < given.samples)
+if ~(given.samples > uint32(1))
     error('stage10:param', 'params.samples is %g; legal: >= 2', params.samples);
 end
 if ~((single(1.000000045813705e-18) <= given.h) && (given.h <= single(9.999999843067494e17)))
     error('stage10:param', 'params.h is %g; legal: from 1.000000045813705e-18 to 9.999999843067494e17', params.h);
 end
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage10:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -88,8 +88,8 @@ if ~(isfinite(w1_1) ...
     && isfinite(w2_2) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
-    && (single(1.0000000031710769e-30) <= given.h * given.h) ...
-    && (single(1.0000000031710769e-30) <= single(1.0) / (given.h * given.h)))
+    && (given.h * given.h >= single(1.0000000031710769e-30)) ...
+    && (single(1.0) / (given.h * given.h) >= single(1.0000000031710769e-30)))
     error('stage10:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -12,6 +12,7 @@ function [u, status] = stage10_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+deadbeat = single(20.0); % samples to go at which deadbeat takes over
 u = single(0.0);
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -29,17 +30,17 @@ x1 = x(1);
 x2 = x(2);
 left = self.samples - elapsed;
 m0 = single(left);
-if single(20.0) < m0
+if m0 > deadbeat
     % The exact law in samples.
     z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
     z2 = self.w2_2 * x2;
-    v = ((z1 / m0) + z2) / (m0 - single(1.0));
+    v = (z1 + (z2 * m0)) / (m0 * (m0 - single(1.0)));
 else
     % Deadbeat.
     v = (self.b_1 * x1) + (self.b_2 * x2);
 end
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
     elseif v < -self.u_max

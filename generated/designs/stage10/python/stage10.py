@@ -108,6 +108,9 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples to go at which deadbeat takes over.
+_DEADBEAT = _R(_R(20.0))
+
 class Stage10:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -122,11 +125,11 @@ class Stage10:
             given_h = _R(params.h)
             given_u_max = _R(params.u_max)
             given_k = _numbers(params.k, 2, "params.k")
-            if not (1 < given_samples):
+            if not (given_samples > 1):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
             if not (_R(1.000000045813705e-18) <= given_h <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.h is {params.h}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
@@ -145,8 +148,8 @@ class Stage10:
                 and np.isfinite(w2_2)
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
-                and (_R(1.0000000031710769e-30) <= given_h * given_h)
-                and (_R(1.0000000031710769e-30) <= _R(1.0) / (given_h * given_h))
+                and (given_h * given_h >= _R(1.0000000031710769e-30))
+                and (_R(1.0) / (given_h * given_h) >= _R(1.0000000031710769e-30))
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -178,16 +181,16 @@ class Stage10:
             x2 = x[1]
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if _R(20.0) < m0:
+            if m0 > _DEADBEAT:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2)
                 z2 = self._w2_2 * x2
-                v = ((z1 / m0) + z2) / (m0 - _R(1.0))
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - _R(1.0)))
             else:
                 # Deadbeat.
                 v = (self._b_1 * x1) + (self._b_2 * x2)
             if np.isfinite(v):
-                if self._u_max < v:
+                if v > self._u_max:
                     return Control(self._u_max, Status.SATURATED)
                 elif v < -self._u_max:
                     return Control(-self._u_max, Status.SATURATED)

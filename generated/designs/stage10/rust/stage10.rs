@@ -135,15 +135,15 @@ pub struct Stage10 {
     start: u32,
     /// samples from the start to rest.
     samples: u32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f32,
     /// bound of |u|.
     u_max: f32,
@@ -158,15 +158,18 @@ pub struct Stage10 {
     clippy::nursery
 )]
 impl Stage10 {
+    /// Samples to go at which deadbeat takes over.
+    const DEADBEAT: f32 = 20.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage10Params) -> Result<Self, Error> {
-        if !((1 < params.samples)
+        if !((params.samples > 1)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite())
         {
@@ -184,8 +187,8 @@ impl Stage10 {
             && w2_2.is_finite()
             && b_1.is_finite()
             && b_2.is_finite()
-            && (1e-30 <= params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h) >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -222,17 +225,17 @@ impl Stage10 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f32;
         let v: f32;
-        if 20.0 < m0 {
+        if m0 > Self::DEADBEAT {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
             let z2 = self.w2_2 * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
         } else {
             // Deadbeat.
             v = (self.b_1 * x1) + (self.b_2 * x2);
         }
         let (u, status) = if v.is_finite() {
-            if self.u_max < v {
+            if v > self.u_max {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {
                 (-self.u_max, Status::Saturated)

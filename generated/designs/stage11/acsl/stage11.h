@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE11_A25EC7D5_H
-#define STAGE11_A25EC7D5_H
+#ifndef STAGE11_658795A4_H
+#define STAGE11_658795A4_H
 
 #include <stdint.h>
 
@@ -91,16 +91,16 @@ typedef struct stage11 {
     float x4_hat; /* estimate of x4 */
     float d_hat; /* estimate of d */
     float deadbeat; /* samples to go at which deadbeat takes over */
-    float w1_1; /* weight of a state in the law */
-    float w1_2; /* weight of a state in the law */
-    float w1_3; /* weight of a state in the law */
-    float w1_4; /* weight of a state in the law */
-    float w2_2; /* weight of a state in the law */
-    float w2_3; /* weight of a state in the law */
-    float w2_4; /* weight of a state in the law */
-    float w3_3; /* weight of a state in the law */
-    float w3_4; /* weight of a state in the law */
-    float w4_4; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
+    float w1_2; /* weight of x2 in the law */
+    float w1_3; /* weight of x3 in the law */
+    float w1_4; /* weight of x4 in the law */
+    float w2_2; /* weight of x2 in the law */
+    float w2_3; /* weight of x3 in the law */
+    float w2_4; /* weight of x4 in the law */
+    float w3_3; /* weight of x3 in the law */
+    float w3_4; /* weight of x4 in the law */
+    float w4_4; /* weight of x4 in the law */
     float u_max; /* bound of |u| */
 } stage11;
 

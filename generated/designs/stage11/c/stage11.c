@@ -33,23 +33,76 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE11_PHI1_2 0.01f /* 1/100, prediction of x1 from x2 */
+#define STAGE11_PHI1_3 5e-5f /* 1/20000, prediction of x1 from x3 */
+#define STAGE11_PHI1_4 1.6666667e-7f /* 1/6000000, prediction of x1 from x4 */
+#define STAGE11_PHI1_5 4.1666667e-10f /* 1/2400000000, prediction of x1 from d */
+#define STAGE11_GAMMA1 4.1666667e-10f /* 1/2400000000, prediction from u */
+#define STAGE11_PHI2_3 0.01f /* 1/100, prediction of x2 from x3 */
+#define STAGE11_PHI2_4 5e-5f /* 1/20000, prediction of x2 from x4 */
+#define STAGE11_PHI2_5 1.6666667e-7f /* 1/6000000, prediction of x2 from d */
+#define STAGE11_GAMMA2 1.6666667e-7f /* 1/6000000, prediction from u */
+#define STAGE11_PHI3_4 0.01f /* 1/100, prediction of x3 from x4 */
+#define STAGE11_PHI3_5 5e-5f /* 1/20000, prediction of x3 from d */
+#define STAGE11_GAMMA3 5e-5f /* 1/20000, prediction from u */
+#define STAGE11_PHI4_5 0.01f /* 1/100, prediction of x4 from d */
+#define STAGE11_GAMMA4 0.01f /* 1/100, prediction from u */
+#define STAGE11_Q1_1 6720.0f /* weight in the observer's gain l1 */
+#define STAGE11_Q1_2 (-4200.0f) /* weight in the observer's gain l1 */
+#define STAGE11_Q1_3 1200.0f /* weight in the observer's gain l1 */
+#define STAGE11_Q1_4 (-200.0f) /* weight in the observer's gain l1 */
+#define STAGE11_Q1_5 20.0f /* weight in the observer's gain l1 */
+#define STAGE11_Q2_1 (-808000.0f) /* weight in the observer's gain l2 */
+#define STAGE11_Q2_2 454000.0f /* weight in the observer's gain l2 */
+#define STAGE11_Q2_3 (-108000.0f) /* weight in the observer's gain l2 */
+#define STAGE11_Q2_4 12000.0f /* weight in the observer's gain l2 */
+#define STAGE11_Q3_1 38400000.0f /* weight in the observer's gain l3 */
+#define STAGE11_Q3_2 (-16800000.0f) /* weight in the observer's gain l3 */
+#define STAGE11_Q3_3 2400000.0f /* weight in the observer's gain l3 */
+#define STAGE11_Q4_1 (-480000000.0f) /* weight in the observer's gain l4 */
+#define STAGE11_Q4_2 120000000.0f /* weight in the observer's gain l4 */
+#define STAGE11_E0_2 50.757576f /* 1675/33, gain of the observer at its end */
+#define STAGE11_E0_3 3678.4512f /* 1092500/297, gain of the observer at its end */
+#define STAGE11_E0_4 (-166666.67f) /* -500000/3, gain of the observer at its end */
+#define STAGE11_E0_5 7070707.0f /* 700000000/99, gain of the observer at its end */
+#define STAGE11_E1_2 79.29293f /* 7850/99, gain of the observer at its end */
+#define STAGE11_E1_3 (-1414.1414f) /* -140000/99, gain of the observer at its end */
+#define STAGE11_E1_4 696969.7f /* 23000000/33, gain of the observer at its end */
+#define STAGE11_E1_5 (-48484850.0f) /* -1600000000/33, gain of the observer at its end */
+#define STAGE11_E2_2 105.55556f /* 950/9, gain of the observer at its end */
+#define STAGE11_E2_3 (-1111.1111f) /* -10000/9, gain of the observer at its end */
+#define STAGE11_E2_4 (-333333.34f) /* -1000000/3, gain of the observer at its end */
+#define STAGE11_E2_5 133333336.0f /* 400000000/3, gain of the observer at its end */
+#define STAGE11_E3_2 138.88889f /* 1250/9, gain of the observer at its end */
+#define STAGE11_E3_3 3703.7036f /* 100000/27, gain of the observer at its end */
+#define STAGE11_E3_4 (-1666666.6f) /* -5000000/3, gain of the observer at its end */
+#define STAGE11_E3_5 (-177777780.0f) /* -1600000000/9, gain of the observer at its end */
+#define STAGE11_E4_2 208.33333f /* 625/3, gain of the observer at its end */
+#define STAGE11_E4_3 29166.666f /* 87500/3, gain of the observer at its end */
+#define STAGE11_E4_4 2500000.0f /* gain of the observer at its end */
+#define STAGE11_E4_5 100000000.0f /* gain of the observer at its end */
+#define STAGE11_B_1 (-100000000.0f) /* weight of x1 in the law */
+#define STAGE11_B_2 (-2500000.0f) /* weight of x2 in the law */
+#define STAGE11_B_3 (-29166.666f) /* -87500/3, weight of x3 in the law */
+#define STAGE11_B_4 (-208.33333f) /* -625/3, weight of x4 in the law */
 ptc_status stage11_init(stage11 *self, const stage11_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((9U < params->samples)
-            && (0.0f < params->u_max)
+        if ((params->samples > 9U)
+            && (params->u_max > 0.0f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->k[2])
             && PTC_FINITE_F32(params->k[3])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float s1 = (params->k[3] - 9.0f) + 4.0f;
             const float s2 = (s1 < 8.0f) ? 8.0f : s1;
-            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float w1_1 = 100000000.0f * (-params->k[0]);
             const float w1_2 = 1000000.0f * ((-1.5f) * (-params->k[0]));
             const float w1_3 = 10000.0f * (0.9166667f * (-params->k[0]));
@@ -136,14 +189,20 @@ ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u)
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
-            const float s1 = self->x1_hat + (0.01f * self->x2_hat) + (5e-5f * self->x3_hat);
-            const float s2 = s1 + (1.6666667e-7f * self->x4_hat);
-            const float p1 = s2 + (4.1666667e-10f * self->d_hat) + (4.1666667e-10f * self->u1);
-            const float s3 = self->x2_hat + (0.01f * self->x3_hat) + (5e-5f * self->x4_hat);
-            const float p2 = s3 + (1.6666667e-7f * self->d_hat) + (1.6666667e-7f * self->u1);
-            const float s4 = self->x3_hat + (0.01f * self->x4_hat) + (5e-5f * self->d_hat);
-            const float p3 = s4 + (5e-5f * self->u1);
-            const float p4 = self->x4_hat + (0.01f * self->d_hat) + (0.01f * self->u1);
+            const float s1 = self->x1_hat + (STAGE11_PHI1_2 * self->x2_hat);
+            const float s2 = s1 + (STAGE11_PHI1_3 * self->x3_hat);
+            const float s3 = s2 + (STAGE11_PHI1_4 * self->x4_hat);
+            const float s4 = s3 + (STAGE11_PHI1_5 * self->d_hat);
+            const float p1 = s4 + (STAGE11_GAMMA1 * self->u1);
+            const float s5 = self->x2_hat + (STAGE11_PHI2_3 * self->x3_hat);
+            const float s6 = s5 + (STAGE11_PHI2_4 * self->x4_hat);
+            const float s7 = s6 + (STAGE11_PHI2_5 * self->d_hat);
+            const float p2 = s7 + (STAGE11_GAMMA2 * self->u1);
+            const float s8 = self->x3_hat + (STAGE11_PHI3_4 * self->x4_hat);
+            const float s9 = s8 + (STAGE11_PHI3_5 * self->d_hat);
+            const float p3 = s9 + (STAGE11_GAMMA3 * self->u1);
+            const float s10 = self->x4_hat + (STAGE11_PHI4_5 * self->d_hat);
+            const float p4 = s10 + (STAGE11_GAMMA4 * self->u1);
             const float p5 = self->d_hat;
 
             /* Correct by what is measured. */
@@ -163,50 +222,50 @@ ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u)
             float l3;
             float l4;
             float l5;
-            if (12.0f < o0) {
+            if (o0 > 12.0f) {
                 const float r0 = 1.0f / o0;
                 const float r1 = 1.0f / (o0 - 1.0f);
                 const float r2 = 1.0f / (o0 - 2.0f);
                 const float r3 = 1.0f / (o0 - 3.0f);
                 const float r4 = 1.0f / (o0 - 4.0f);
-                const float s5 = ((((((6720.0f * r0) - 4200.0f) * r1) + 1200.0f) * r2) - 200.0f) * r3;
-                l1 = (s5 + 20.0f) * r4;
-                const float s6 = (((((-808000.0f) * r0) + 454000.0f) * r1) - 108000.0f) * r2;
-                l2 = (s6 + 12000.0f) * r3 * r4;
-                const float s7 = ((((38400000.0f * r0) - 16800000.0f) * r1) + 2400000.0f) * r2 * r3;
-                l3 = s7 * r4;
-                l4 = (((-480000000.0f) * r0) + 120000000.0f) * r1 * r2 * r3 * r4;
+                const float s11 = ((((STAGE11_Q1_1 * r0) + STAGE11_Q1_2) * r1) + STAGE11_Q1_3) * r2;
+                l1 = (((s11 + STAGE11_Q1_4) * r3) + STAGE11_Q1_5) * r4;
+                const float s12 = ((((STAGE11_Q2_1 * r0) + STAGE11_Q2_2) * r1) + STAGE11_Q2_3) * r2;
+                l2 = (s12 + STAGE11_Q2_4) * r3 * r4;
+                const float s13 = ((((STAGE11_Q3_1 * r0) + STAGE11_Q3_2) * r1) + STAGE11_Q3_3) * r2;
+                l3 = s13 * r3 * r4;
+                l4 = ((STAGE11_Q4_1 * r0) + STAGE11_Q4_2) * r1 * r2 * r3 * r4;
                 l5 = 0.0f;
             } else if (left_o == 12U) {
                 l1 = 1.0f;
-                l2 = 50.757576f;
-                l3 = 3678.4512f;
-                l4 = -166666.67f;
-                l5 = 7070707.0f;
+                l2 = STAGE11_E0_2;
+                l3 = STAGE11_E0_3;
+                l4 = STAGE11_E0_4;
+                l5 = STAGE11_E0_5;
             } else if (left_o == 11U) {
                 l1 = 1.0f;
-                l2 = 79.29293f;
-                l3 = -1414.1414f;
-                l4 = 696969.7f;
-                l5 = -48484850.0f;
+                l2 = STAGE11_E1_2;
+                l3 = STAGE11_E1_3;
+                l4 = STAGE11_E1_4;
+                l5 = STAGE11_E1_5;
             } else if (left_o == 10U) {
                 l1 = 1.0f;
-                l2 = 105.55556f;
-                l3 = -1111.1111f;
-                l4 = -333333.34f;
-                l5 = 133333336.0f;
+                l2 = STAGE11_E2_2;
+                l3 = STAGE11_E2_3;
+                l4 = STAGE11_E2_4;
+                l5 = STAGE11_E2_5;
             } else if (left_o == 9U) {
                 l1 = 1.0f;
-                l2 = 138.88889f;
-                l3 = 3703.7036f;
-                l4 = -1666666.6f;
-                l5 = -177777780.0f;
+                l2 = STAGE11_E3_2;
+                l3 = STAGE11_E3_3;
+                l4 = STAGE11_E3_4;
+                l5 = STAGE11_E3_5;
             } else {
                 l1 = 1.0f;
-                l2 = 208.33333f;
-                l3 = 29166.666f;
-                l4 = 2500000.0f;
-                l5 = 100000000.0f;
+                l2 = STAGE11_E4_2;
+                l3 = STAGE11_E4_3;
+                l4 = STAGE11_E4_4;
+                l5 = STAGE11_E4_5;
             }
             const float x1 = base + (l1 * miss);
             const float x2 = p2 + (l2 * miss);
@@ -216,24 +275,24 @@ ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u)
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const float m0 = (float)left;
             float v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
-                const float s8 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
-                const float z1 = s8 + (self->w1_4 * x4);
+                const float s14 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
+                const float z1 = s14 + (self->w1_4 * x4);
                 const float z2 = (self->w2_2 * x2) + (self->w2_3 * x3) + (self->w2_4 * x4);
                 const float z3 = (self->w3_3 * x3) + (self->w3_4 * x4);
                 const float z4 = self->w4_4 * x4;
-                const float s9 = (((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f)) + z4;
-                v = (s9 / (m0 - 3.0f)) - d;
+                const float s15 = (((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f)) + z4;
+                v = (s15 / (m0 - 3.0f)) - d;
             } else {
                 /* Deadbeat. */
-                const float s10 = (((-100000000.0f) * x1) - (2500000.0f * x2)) - (29166.666f * x3);
-                v = (s10 - (208.33333f * x4)) - d;
+                const float s16 = (STAGE11_B_1 * x1) + (STAGE11_B_2 * x2) + (STAGE11_B_3 * x3);
+                v = (s16 + (STAGE11_B_4 * x4)) - d;
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F32(v)) {
                 float u_now;
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     u_now = self->u_max;
                 } else if (v < -self->u_max) {
                     u_now = -self->u_max;
@@ -248,7 +307,7 @@ ptc_status stage11_step(stage11 *self, uint32_t k, const float y[1], float *u)
                 self->d_hat = d;
                 self->seen = 1U;
                 *u = u_now;
-                if ((self->u_max < v) || (v < -self->u_max)) {
+                if ((v > self->u_max) || (v < -self->u_max)) {
                     status = PTC_SATURATED;
                 } else if (elapsed < self->samples) {
                     status = PTC_OK;

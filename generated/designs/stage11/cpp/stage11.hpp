@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE11_F4FC7E7C_HPP
-#define STAGE11_F4FC7E7C_HPP
+#ifndef STAGE11_E45A6FD0_HPP
+#define STAGE11_E45A6FD0_HPP
 
 #include <array>
 #include <cfloat>
@@ -120,20 +120,20 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((9U < params.samples)
-                && (0.0f < params.u_max)
+        if (!((params.samples > 9U)
+                && (params.u_max > 0.0f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.k[3])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const float s1 = (params.k[3] - 9.0f) + 4.0f;
         const float s2 = (s1 < 8.0f) ? 8.0f : s1;
-        const float deadbeat = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float w1_1 = 100000000.0f * (-params.k[0]);
         const float w1_2 = 1000000.0f * ((-1.5f) * (-params.k[0]));
         const float w1_3 = 10000.0f * (0.9166667f * (-params.k[0]));
@@ -213,14 +213,20 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const float s1 = x1_hat_ + (0.01f * x2_hat_) + (5e-5f * x3_hat_);
-        const float s2 = s1 + (1.6666667e-7f * x4_hat_);
-        const float p1 = s2 + (4.1666667e-10f * d_hat_) + (4.1666667e-10f * u1_);
-        const float s3 = x2_hat_ + (0.01f * x3_hat_) + (5e-5f * x4_hat_);
-        const float p2 = s3 + (1.6666667e-7f * d_hat_) + (1.6666667e-7f * u1_);
-        const float s4 = x3_hat_ + (0.01f * x4_hat_) + (5e-5f * d_hat_);
-        const float p3 = s4 + (5e-5f * u1_);
-        const float p4 = x4_hat_ + (0.01f * d_hat_) + (0.01f * u1_);
+        const float s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const float s2 = s1 + (phi1_3_ * x3_hat_);
+        const float s3 = s2 + (phi1_4_ * x4_hat_);
+        const float s4 = s3 + (phi1_5_ * d_hat_);
+        const float p1 = s4 + (gamma1_ * u1_);
+        const float s5 = x2_hat_ + (phi2_3_ * x3_hat_);
+        const float s6 = s5 + (phi2_4_ * x4_hat_);
+        const float s7 = s6 + (phi2_5_ * d_hat_);
+        const float p2 = s7 + (gamma2_ * u1_);
+        const float s8 = x3_hat_ + (phi3_4_ * x4_hat_);
+        const float s9 = s8 + (phi3_5_ * d_hat_);
+        const float p3 = s9 + (gamma3_ * u1_);
+        const float s10 = x4_hat_ + (phi4_5_ * d_hat_);
+        const float p4 = s10 + (gamma4_ * u1_);
         const float p5 = d_hat_;
 
         // Correct by what is measured.
@@ -240,50 +246,50 @@ public:
         float l3{};
         float l4{};
         float l5{};
-        if (12.0f < o0) {
+        if (o0 > 12.0f) {
             const float r0 = 1.0f / o0;
             const float r1 = 1.0f / (o0 - 1.0f);
             const float r2 = 1.0f / (o0 - 2.0f);
             const float r3 = 1.0f / (o0 - 3.0f);
             const float r4 = 1.0f / (o0 - 4.0f);
-            const float s5 = ((((((6720.0f * r0) - 4200.0f) * r1) + 1200.0f) * r2) - 200.0f) * r3;
-            l1 = (s5 + 20.0f) * r4;
-            const float s6 = (((((-808000.0f) * r0) + 454000.0f) * r1) - 108000.0f) * r2;
-            l2 = (s6 + 12000.0f) * r3 * r4;
-            const float s7 = ((((38400000.0f * r0) - 16800000.0f) * r1) + 2400000.0f) * r2 * r3;
-            l3 = s7 * r4;
-            l4 = (((-480000000.0f) * r0) + 120000000.0f) * r1 * r2 * r3 * r4;
+            const float s11 = ((((q1_1_ * r0) + q1_2_) * r1) + q1_3_) * r2;
+            l1 = (((s11 + q1_4_) * r3) + q1_5_) * r4;
+            const float s12 = ((((q2_1_ * r0) + q2_2_) * r1) + q2_3_) * r2;
+            l2 = (s12 + q2_4_) * r3 * r4;
+            const float s13 = ((((q3_1_ * r0) + q3_2_) * r1) + q3_3_) * r2;
+            l3 = s13 * r3 * r4;
+            l4 = ((q4_1_ * r0) + q4_2_) * r1 * r2 * r3 * r4;
             l5 = 0.0f;
         } else if (left_o == 12U) {
             l1 = 1.0f;
-            l2 = 50.757576f;
-            l3 = 3678.4512f;
-            l4 = -166666.67f;
-            l5 = 7070707.0f;
+            l2 = e0_2_;
+            l3 = e0_3_;
+            l4 = e0_4_;
+            l5 = e0_5_;
         } else if (left_o == 11U) {
             l1 = 1.0f;
-            l2 = 79.29293f;
-            l3 = -1414.1414f;
-            l4 = 696969.7f;
-            l5 = -48484850.0f;
+            l2 = e1_2_;
+            l3 = e1_3_;
+            l4 = e1_4_;
+            l5 = e1_5_;
         } else if (left_o == 10U) {
             l1 = 1.0f;
-            l2 = 105.55556f;
-            l3 = -1111.1111f;
-            l4 = -333333.34f;
-            l5 = 133333336.0f;
+            l2 = e2_2_;
+            l3 = e2_3_;
+            l4 = e2_4_;
+            l5 = e2_5_;
         } else if (left_o == 9U) {
             l1 = 1.0f;
-            l2 = 138.88889f;
-            l3 = 3703.7036f;
-            l4 = -1666666.6f;
-            l5 = -177777780.0f;
+            l2 = e3_2_;
+            l3 = e3_3_;
+            l4 = e3_4_;
+            l5 = e3_5_;
         } else {
             l1 = 1.0f;
-            l2 = 208.33333f;
-            l3 = 29166.666f;
-            l4 = 2500000.0f;
-            l5 = 100000000.0f;
+            l2 = e4_2_;
+            l3 = e4_3_;
+            l4 = e4_4_;
+            l5 = e4_5_;
         }
         const float x1 = base + (l1 * miss);
         const float x2 = p2 + (l2 * miss);
@@ -293,25 +299,25 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const float m0 = static_cast<float>(left);
         float v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
-            const float s8 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
-            const float z1 = s8 + (w1_4_ * x4);
+            const float s14 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
+            const float z1 = s14 + (w1_4_ * x4);
             const float z2 = (w2_2_ * x2) + (w2_3_ * x3) + (w2_4_ * x4);
             const float z3 = (w3_3_ * x3) + (w3_4_ * x4);
             const float z4 = w4_4_ * x4;
-            const float s9 = (((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f)) + z4;
-            v = (s9 / (m0 - 3.0f)) - d;
+            const float s15 = (((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f)) + z4;
+            v = (s15 / (m0 - 3.0f)) - d;
         } else {
             // Deadbeat.
-            const float s10 = (((-100000000.0f) * x1) - (2500000.0f * x2)) - (29166.666f * x3);
-            v = (s10 - (208.33333f * x4)) - d;
+            const float s16 = (b_1_ * x1) + (b_2_ * x2) + (b_3_ * x3);
+            v = (s16 + (b_4_ * x4)) - d;
         }
         if (!finite(v)) {
             return {0.0f, Status::Range};
         }
         float u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -325,7 +331,7 @@ public:
         x4_hat_ = x4;
         d_hat_ = d;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
@@ -357,6 +363,110 @@ private:
     {
         return (v > 0.0f) ? v : (0.0f - v);
     }
+    /// 1/100, prediction of x1 from x2.
+    static constexpr float phi1_2_{0.01f};
+    /// 1/20000, prediction of x1 from x3.
+    static constexpr float phi1_3_{5e-5f};
+    /// 1/6000000, prediction of x1 from x4.
+    static constexpr float phi1_4_{1.6666667e-7f};
+    /// 1/2400000000, prediction of x1 from d.
+    static constexpr float phi1_5_{4.1666667e-10f};
+    /// 1/2400000000, prediction from u.
+    static constexpr float gamma1_{4.1666667e-10f};
+    /// 1/100, prediction of x2 from x3.
+    static constexpr float phi2_3_{0.01f};
+    /// 1/20000, prediction of x2 from x4.
+    static constexpr float phi2_4_{5e-5f};
+    /// 1/6000000, prediction of x2 from d.
+    static constexpr float phi2_5_{1.6666667e-7f};
+    /// 1/6000000, prediction from u.
+    static constexpr float gamma2_{1.6666667e-7f};
+    /// 1/100, prediction of x3 from x4.
+    static constexpr float phi3_4_{0.01f};
+    /// 1/20000, prediction of x3 from d.
+    static constexpr float phi3_5_{5e-5f};
+    /// 1/20000, prediction from u.
+    static constexpr float gamma3_{5e-5f};
+    /// 1/100, prediction of x4 from d.
+    static constexpr float phi4_5_{0.01f};
+    /// 1/100, prediction from u.
+    static constexpr float gamma4_{0.01f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_1_{6720.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_2_{-4200.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_3_{1200.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_4_{-200.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_5_{20.0f};
+    /// Weight in the observer's gain l2.
+    static constexpr float q2_1_{-808000.0f};
+    /// Weight in the observer's gain l2.
+    static constexpr float q2_2_{454000.0f};
+    /// Weight in the observer's gain l2.
+    static constexpr float q2_3_{-108000.0f};
+    /// Weight in the observer's gain l2.
+    static constexpr float q2_4_{12000.0f};
+    /// Weight in the observer's gain l3.
+    static constexpr float q3_1_{38400000.0f};
+    /// Weight in the observer's gain l3.
+    static constexpr float q3_2_{-16800000.0f};
+    /// Weight in the observer's gain l3.
+    static constexpr float q3_3_{2400000.0f};
+    /// Weight in the observer's gain l4.
+    static constexpr float q4_1_{-480000000.0f};
+    /// Weight in the observer's gain l4.
+    static constexpr float q4_2_{120000000.0f};
+    /// 1675/33, gain of the observer at its end.
+    static constexpr float e0_2_{50.757576f};
+    /// 1092500/297, gain of the observer at its end.
+    static constexpr float e0_3_{3678.4512f};
+    /// -500000/3, gain of the observer at its end.
+    static constexpr float e0_4_{-166666.67f};
+    /// 700000000/99, gain of the observer at its end.
+    static constexpr float e0_5_{7070707.0f};
+    /// 7850/99, gain of the observer at its end.
+    static constexpr float e1_2_{79.29293f};
+    /// -140000/99, gain of the observer at its end.
+    static constexpr float e1_3_{-1414.1414f};
+    /// 23000000/33, gain of the observer at its end.
+    static constexpr float e1_4_{696969.7f};
+    /// -1600000000/33, gain of the observer at its end.
+    static constexpr float e1_5_{-48484850.0f};
+    /// 950/9, gain of the observer at its end.
+    static constexpr float e2_2_{105.55556f};
+    /// -10000/9, gain of the observer at its end.
+    static constexpr float e2_3_{-1111.1111f};
+    /// -1000000/3, gain of the observer at its end.
+    static constexpr float e2_4_{-333333.34f};
+    /// 400000000/3, gain of the observer at its end.
+    static constexpr float e2_5_{133333336.0f};
+    /// 1250/9, gain of the observer at its end.
+    static constexpr float e3_2_{138.88889f};
+    /// 100000/27, gain of the observer at its end.
+    static constexpr float e3_3_{3703.7036f};
+    /// -5000000/3, gain of the observer at its end.
+    static constexpr float e3_4_{-1666666.6f};
+    /// -1600000000/9, gain of the observer at its end.
+    static constexpr float e3_5_{-177777780.0f};
+    /// 625/3, gain of the observer at its end.
+    static constexpr float e4_2_{208.33333f};
+    /// 87500/3, gain of the observer at its end.
+    static constexpr float e4_3_{29166.666f};
+    /// Gain of the observer at its end.
+    static constexpr float e4_4_{2500000.0f};
+    /// Gain of the observer at its end.
+    static constexpr float e4_5_{100000000.0f};
+    /// Weight of x1 in the law.
+    static constexpr float b_1_{-100000000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float b_2_{-2500000.0f};
+    /// -87500/3, weight of x3 in the law.
+    static constexpr float b_3_{-29166.666f};
+    /// -625/3, weight of x4 in the law.
+    static constexpr float b_4_{-208.33333f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -368,16 +478,16 @@ private:
     float x4_hat_{}; // estimate of x4
     float d_hat_{}; // estimate of d
     float deadbeat_{}; // samples to go at which deadbeat takes over
-    float w1_1_{}; // weight of a state in the law
-    float w1_2_{}; // weight of a state in the law
-    float w1_3_{}; // weight of a state in the law
-    float w1_4_{}; // weight of a state in the law
-    float w2_2_{}; // weight of a state in the law
-    float w2_3_{}; // weight of a state in the law
-    float w2_4_{}; // weight of a state in the law
-    float w3_3_{}; // weight of a state in the law
-    float w3_4_{}; // weight of a state in the law
-    float w4_4_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
+    float w1_2_{}; // weight of x2 in the law
+    float w1_3_{}; // weight of x3 in the law
+    float w1_4_{}; // weight of x4 in the law
+    float w2_2_{}; // weight of x2 in the law
+    float w2_3_{}; // weight of x3 in the law
+    float w2_4_{}; // weight of x4 in the law
+    float w3_3_{}; // weight of x3 in the law
+    float w3_4_{}; // weight of x4 in the law
+    float w4_4_{}; // weight of x4 in the law
     float u_max_{}; // bound of |u|
 };
 

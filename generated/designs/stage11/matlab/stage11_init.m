@@ -65,10 +65,10 @@ if numel(params.k) ~= 4
     error('stage11:param', 'params.k has %d numbers; legal: 4', numel(params.k));
 end
 given.deadbeat = single(params.deadbeat);
-if ~(uint32(9) < given.samples)
+if ~(given.samples > uint32(9))
     error('stage11:param', 'params.samples is %g; legal: >= 10', params.samples);
 end
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage11:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -83,13 +83,13 @@ end
 if ~isfinite(given.k(4))
     error('stage11:param', 'params.k(4) is %g; legal: finite', params.k(4));
 end
-if ~(isfinite(given.deadbeat) && (single(0.0) <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= single(0.0)))
     error('stage11:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = (given.k(4) - single(9.0)) + single(4.0);
 s2 = pick(s1 < single(8.0), single(8.0), s1);
-deadbeat = pick(single(0.0) < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > single(0.0), given.deadbeat, s2);
 w1_1 = single(100000000.0) * (-given.k(1));
 w1_2 = single(1000000.0) * ((-single(1.5)) * (-given.k(1)));
 w1_3 = single(10000.0) * (single(0.9166666865348816) * (-given.k(1)));

@@ -112,6 +112,111 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/100, prediction of x1 from x2.
+_PHI1_2 = _R(_R(0.009999999776482582))
+# 1/20000, prediction of x1 from x3.
+_PHI1_3 = _R(_R(4.999999873689376e-5))
+# 1/6000000, prediction of x1 from x4.
+_PHI1_4 = _R(_R(1.6666666624587378e-7))
+# 1/2400000000, prediction of x1 from d.
+_PHI1_5 = _R(_R(4.1666667338624563e-10))
+# 1/2400000000, prediction from u.
+_GAMMA1 = _R(_R(4.1666667338624563e-10))
+# 1/100, prediction of x2 from x3.
+_PHI2_3 = _R(_R(0.009999999776482582))
+# 1/20000, prediction of x2 from x4.
+_PHI2_4 = _R(_R(4.999999873689376e-5))
+# 1/6000000, prediction of x2 from d.
+_PHI2_5 = _R(_R(1.6666666624587378e-7))
+# 1/6000000, prediction from u.
+_GAMMA2 = _R(_R(1.6666666624587378e-7))
+# 1/100, prediction of x3 from x4.
+_PHI3_4 = _R(_R(0.009999999776482582))
+# 1/20000, prediction of x3 from d.
+_PHI3_5 = _R(_R(4.999999873689376e-5))
+# 1/20000, prediction from u.
+_GAMMA3 = _R(_R(4.999999873689376e-5))
+# 1/100, prediction of x4 from d.
+_PHI4_5 = _R(_R(0.009999999776482582))
+# 1/100, prediction from u.
+_GAMMA4 = _R(_R(0.009999999776482582))
+# Weight in the observer's gain l1.
+_Q1_1 = _R(_R(6720.0))
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-_R(4200.0))
+# Weight in the observer's gain l1.
+_Q1_3 = _R(_R(1200.0))
+# Weight in the observer's gain l1.
+_Q1_4 = _R(-_R(200.0))
+# Weight in the observer's gain l1.
+_Q1_5 = _R(_R(20.0))
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-_R(808000.0))
+# Weight in the observer's gain l2.
+_Q2_2 = _R(_R(454000.0))
+# Weight in the observer's gain l2.
+_Q2_3 = _R(-_R(108000.0))
+# Weight in the observer's gain l2.
+_Q2_4 = _R(_R(12000.0))
+# Weight in the observer's gain l3.
+_Q3_1 = _R(_R(38400000.0))
+# Weight in the observer's gain l3.
+_Q3_2 = _R(-_R(16800000.0))
+# Weight in the observer's gain l3.
+_Q3_3 = _R(_R(2400000.0))
+# Weight in the observer's gain l4.
+_Q4_1 = _R(-_R(480000000.0))
+# Weight in the observer's gain l4.
+_Q4_2 = _R(_R(120000000.0))
+# 1675/33, gain of the observer at its end.
+_E0_2 = _R(_R(50.75757598876953))
+# 1092500/297, gain of the observer at its end.
+_E0_3 = _R(_R(3678.451171875))
+# -500000/3, gain of the observer at its end.
+_E0_4 = _R(-_R(166666.671875))
+# 700000000/99, gain of the observer at its end.
+_E0_5 = _R(_R(7070707.0))
+# 7850/99, gain of the observer at its end.
+_E1_2 = _R(_R(79.29293060302734))
+# -140000/99, gain of the observer at its end.
+_E1_3 = _R(-_R(1414.141357421875))
+# 23000000/33, gain of the observer at its end.
+_E1_4 = _R(_R(696969.6875))
+# -1600000000/33, gain of the observer at its end.
+_E1_5 = _R(-_R(48484848.0))
+# 950/9, gain of the observer at its end.
+_E2_2 = _R(_R(105.55555725097656))
+# -10000/9, gain of the observer at its end.
+_E2_3 = _R(-_R(1111.111083984375))
+# -1000000/3, gain of the observer at its end.
+_E2_4 = _R(-_R(333333.34375))
+# 400000000/3, gain of the observer at its end.
+_E2_5 = _R(_R(133333336.0))
+# 1250/9, gain of the observer at its end.
+_E3_2 = _R(_R(138.88888549804688))
+# 100000/27, gain of the observer at its end.
+_E3_3 = _R(_R(3703.70361328125))
+# -5000000/3, gain of the observer at its end.
+_E3_4 = _R(-_R(1666666.625))
+# -1600000000/9, gain of the observer at its end.
+_E3_5 = _R(-_R(177777776.0))
+# 625/3, gain of the observer at its end.
+_E4_2 = _R(_R(208.3333282470703))
+# 87500/3, gain of the observer at its end.
+_E4_3 = _R(_R(29166.666015625))
+# Gain of the observer at its end.
+_E4_4 = _R(_R(2500000.0))
+# Gain of the observer at its end.
+_E4_5 = _R(_R(100000000.0))
+# Weight of x1 in the law.
+_B_1 = _R(-_R(100000000.0))
+# Weight of x2 in the law.
+_B_2 = _R(-_R(2500000.0))
+# -87500/3, weight of x3 in the law.
+_B_3 = _R(-_R(29166.666015625))
+# -625/3, weight of x4 in the law.
+_B_4 = _R(-_R(208.3333282470703))
+
 class Stage11:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -126,9 +231,9 @@ class Stage11:
             given_u_max = _R(params.u_max)
             given_k = _numbers(params.k, 4, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (9 < given_samples):
+            if not (given_samples > 9):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 10")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
@@ -138,12 +243,12 @@ class Stage11:
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
             if not np.isfinite(given_k[3]):
                 raise ValueError(f"params.k[3] is {params.k[3]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = (given_k[3] - _R(9.0)) + _R(4.0)
             s2 = max(s1, _R(8.0))
-            deadbeat = given_deadbeat if _R(0.0) < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > _R(0.0) else s2
             w1_1 = _R(100000000.0) * (-given_k[0])
             w1_2 = _R(1000000.0) * ((-_R(1.5)) * (-given_k[0]))
             w1_3 = _R(10000.0) * (_R(0.9166666865348816) * (-given_k[0]))
@@ -226,14 +331,20 @@ class Stage11:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (_R(0.009999999776482582) * self._x2_hat) + (_R(4.999999873689376e-5) * self._x3_hat)
-            s2 = s1 + (_R(1.6666666624587378e-7) * self._x4_hat)
-            p1 = s2 + (_R(4.1666667338624563e-10) * self._d_hat) + (_R(4.1666667338624563e-10) * self._u1)
-            s3 = self._x2_hat + (_R(0.009999999776482582) * self._x3_hat) + (_R(4.999999873689376e-5) * self._x4_hat)
-            p2 = s3 + (_R(1.6666666624587378e-7) * self._d_hat) + (_R(1.6666666624587378e-7) * self._u1)
-            s4 = self._x3_hat + (_R(0.009999999776482582) * self._x4_hat) + (_R(4.999999873689376e-5) * self._d_hat)
-            p3 = s4 + (_R(4.999999873689376e-5) * self._u1)
-            p4 = self._x4_hat + (_R(0.009999999776482582) * self._d_hat) + (_R(0.009999999776482582) * self._u1)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._x3_hat)
+            s3 = s2 + (_PHI1_4 * self._x4_hat)
+            s4 = s3 + (_PHI1_5 * self._d_hat)
+            p1 = s4 + (_GAMMA1 * self._u1)
+            s5 = self._x2_hat + (_PHI2_3 * self._x3_hat)
+            s6 = s5 + (_PHI2_4 * self._x4_hat)
+            s7 = s6 + (_PHI2_5 * self._d_hat)
+            p2 = s7 + (_GAMMA2 * self._u1)
+            s8 = self._x3_hat + (_PHI3_4 * self._x4_hat)
+            s9 = s8 + (_PHI3_5 * self._d_hat)
+            p3 = s9 + (_GAMMA3 * self._u1)
+            s10 = self._x4_hat + (_PHI4_5 * self._d_hat)
+            p4 = s10 + (_GAMMA4 * self._u1)
             p5 = self._d_hat
 
             # Correct by what is measured.
@@ -245,50 +356,50 @@ class Stage11:
                 miss = y[0] - p1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = _R(left_o)
-            if _R(12.0) < o0:
+            if o0 > _R(12.0):
                 r0 = _R(1.0) / o0
                 r1 = _R(1.0) / (o0 - _R(1.0))
                 r2 = _R(1.0) / (o0 - _R(2.0))
                 r3 = _R(1.0) / (o0 - _R(3.0))
                 r4 = _R(1.0) / (o0 - _R(4.0))
-                s5 = ((((((_R(6720.0) * r0) - _R(4200.0)) * r1) + _R(1200.0)) * r2) - _R(200.0)) * r3
-                l1 = (s5 + _R(20.0)) * r4
-                s6 = (((((-_R(808000.0)) * r0) + _R(454000.0)) * r1) - _R(108000.0)) * r2
-                l2 = (s6 + _R(12000.0)) * r3 * r4
-                s7 = ((((_R(38400000.0) * r0) - _R(16800000.0)) * r1) + _R(2400000.0)) * r2 * r3
-                l3 = s7 * r4
-                l4 = (((-_R(480000000.0)) * r0) + _R(120000000.0)) * r1 * r2 * r3 * r4
+                s11 = ((((_Q1_1 * r0) + _Q1_2) * r1) + _Q1_3) * r2
+                l1 = (((s11 + _Q1_4) * r3) + _Q1_5) * r4
+                s12 = ((((_Q2_1 * r0) + _Q2_2) * r1) + _Q2_3) * r2
+                l2 = (s12 + _Q2_4) * r3 * r4
+                s13 = ((((_Q3_1 * r0) + _Q3_2) * r1) + _Q3_3) * r2
+                l3 = s13 * r3 * r4
+                l4 = ((_Q4_1 * r0) + _Q4_2) * r1 * r2 * r3 * r4
                 l5 = _R(0.0)
             elif left_o == 12:
                 l1 = _R(1.0)
-                l2 = _R(50.75757598876953)
-                l3 = _R(3678.451171875)
-                l4 = -_R(166666.671875)
-                l5 = _R(7070707.0)
+                l2 = _E0_2
+                l3 = _E0_3
+                l4 = _E0_4
+                l5 = _E0_5
             elif left_o == 11:
                 l1 = _R(1.0)
-                l2 = _R(79.29293060302734)
-                l3 = -_R(1414.141357421875)
-                l4 = _R(696969.6875)
-                l5 = -_R(48484848.0)
+                l2 = _E1_2
+                l3 = _E1_3
+                l4 = _E1_4
+                l5 = _E1_5
             elif left_o == 10:
                 l1 = _R(1.0)
-                l2 = _R(105.55555725097656)
-                l3 = -_R(1111.111083984375)
-                l4 = -_R(333333.34375)
-                l5 = _R(133333336.0)
+                l2 = _E2_2
+                l3 = _E2_3
+                l4 = _E2_4
+                l5 = _E2_5
             elif left_o == 9:
                 l1 = _R(1.0)
-                l2 = _R(138.88888549804688)
-                l3 = _R(3703.70361328125)
-                l4 = -_R(1666666.625)
-                l5 = -_R(177777776.0)
+                l2 = _E3_2
+                l3 = _E3_3
+                l4 = _E3_4
+                l5 = _E3_5
             else:
                 l1 = _R(1.0)
-                l2 = _R(208.3333282470703)
-                l3 = _R(29166.666015625)
-                l4 = _R(2500000.0)
-                l5 = _R(100000000.0)
+                l2 = _E4_2
+                l3 = _E4_3
+                l4 = _E4_4
+                l5 = _E4_5
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             x3 = p3 + (l3 * miss)
@@ -296,22 +407,22 @@ class Stage11:
             d = p5 + (l5 * miss)
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
-                s8 = (self._w1_1 * x1) + (self._w1_2 * x2) + (self._w1_3 * x3)
-                z1 = s8 + (self._w1_4 * x4)
+                s14 = (self._w1_1 * x1) + (self._w1_2 * x2) + (self._w1_3 * x3)
+                z1 = s14 + (self._w1_4 * x4)
                 z2 = (self._w2_2 * x2) + (self._w2_3 * x3) + (self._w2_4 * x4)
                 z3 = (self._w3_3 * x3) + (self._w3_4 * x4)
                 z4 = self._w4_4 * x4
-                s9 = (((((z1 / m0) + z2) / (m0 - _R(1.0))) + z3) / (m0 - _R(2.0))) + z4
-                v = (s9 / (m0 - _R(3.0))) - d
+                s15 = (((((z1 / m0) + z2) / (m0 - _R(1.0))) + z3) / (m0 - _R(2.0))) + z4
+                v = (s15 / (m0 - _R(3.0))) - d
             else:
                 # Deadbeat.
-                s10 = (((-_R(100000000.0)) * x1) - (_R(2500000.0) * x2)) - (_R(29166.666015625) * x3)
-                v = (s10 - (_R(208.3333282470703) * x4)) - d
+                s16 = (_B_1 * x1) + (_B_2 * x2) + (_B_3 * x3)
+                v = (s16 + (_B_4 * x4)) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -324,7 +435,7 @@ class Stage11:
             self._x4_hat = x4
             self._d_hat = d
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
             elif elapsed < self._samples:
                 return Control(u_now, Status.OK)

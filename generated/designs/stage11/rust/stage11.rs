@@ -155,25 +155,25 @@ pub struct Stage11 {
     d_hat: f32,
     /// samples to go at which deadbeat takes over.
     deadbeat: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3: f32,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w1_4: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3: f32,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w2_4: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3: f32,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w3_4: f32,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w4_4: f32,
     /// bound of |u|.
     u_max: f32,
@@ -188,26 +188,131 @@ pub struct Stage11 {
     clippy::nursery
 )]
 impl Stage11 {
+    /// 1/100, prediction of x1 from x2.
+    const PHI1_2: f32 = 0.01;
+    /// 1/20000, prediction of x1 from x3.
+    const PHI1_3: f32 = 5e-5;
+    /// 1/6000000, prediction of x1 from x4.
+    const PHI1_4: f32 = 1.6666667e-7;
+    /// 1/2400000000, prediction of x1 from d.
+    const PHI1_5: f32 = 4.1666667e-10;
+    /// 1/2400000000, prediction from u.
+    const GAMMA1: f32 = 4.1666667e-10;
+    /// 1/100, prediction of x2 from x3.
+    const PHI2_3: f32 = 0.01;
+    /// 1/20000, prediction of x2 from x4.
+    const PHI2_4: f32 = 5e-5;
+    /// 1/6000000, prediction of x2 from d.
+    const PHI2_5: f32 = 1.6666667e-7;
+    /// 1/6000000, prediction from u.
+    const GAMMA2: f32 = 1.6666667e-7;
+    /// 1/100, prediction of x3 from x4.
+    const PHI3_4: f32 = 0.01;
+    /// 1/20000, prediction of x3 from d.
+    const PHI3_5: f32 = 5e-5;
+    /// 1/20000, prediction from u.
+    const GAMMA3: f32 = 5e-5;
+    /// 1/100, prediction of x4 from d.
+    const PHI4_5: f32 = 0.01;
+    /// 1/100, prediction from u.
+    const GAMMA4: f32 = 0.01;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f32 = 6720.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f32 = -4200.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f32 = 1200.0;
+    /// Weight in the observer's gain l1.
+    const Q1_4: f32 = -200.0;
+    /// Weight in the observer's gain l1.
+    const Q1_5: f32 = 20.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f32 = -808000.0;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f32 = 454000.0;
+    /// Weight in the observer's gain l2.
+    const Q2_3: f32 = -108000.0;
+    /// Weight in the observer's gain l2.
+    const Q2_4: f32 = 12000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f32 = 38400000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_2: f32 = -16800000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_3: f32 = 2400000.0;
+    /// Weight in the observer's gain l4.
+    const Q4_1: f32 = -480000000.0;
+    /// Weight in the observer's gain l4.
+    const Q4_2: f32 = 120000000.0;
+    /// 1675/33, gain of the observer at its end.
+    const E0_2: f32 = 50.757576;
+    /// 1092500/297, gain of the observer at its end.
+    const E0_3: f32 = 3678.4512;
+    /// -500000/3, gain of the observer at its end.
+    const E0_4: f32 = -166666.67;
+    /// 700000000/99, gain of the observer at its end.
+    const E0_5: f32 = 7070707.0;
+    /// 7850/99, gain of the observer at its end.
+    const E1_2: f32 = 79.29293;
+    /// -140000/99, gain of the observer at its end.
+    const E1_3: f32 = -1414.1414;
+    /// 23000000/33, gain of the observer at its end.
+    const E1_4: f32 = 696969.7;
+    /// -1600000000/33, gain of the observer at its end.
+    const E1_5: f32 = -48484850.0;
+    /// 950/9, gain of the observer at its end.
+    const E2_2: f32 = 105.55556;
+    /// -10000/9, gain of the observer at its end.
+    const E2_3: f32 = -1111.1111;
+    /// -1000000/3, gain of the observer at its end.
+    const E2_4: f32 = -333333.34;
+    /// 400000000/3, gain of the observer at its end.
+    const E2_5: f32 = 133333336.0;
+    /// 1250/9, gain of the observer at its end.
+    const E3_2: f32 = 138.88889;
+    /// 100000/27, gain of the observer at its end.
+    const E3_3: f32 = 3703.7036;
+    /// -5000000/3, gain of the observer at its end.
+    const E3_4: f32 = -1666666.6;
+    /// -1600000000/9, gain of the observer at its end.
+    const E3_5: f32 = -177777780.0;
+    /// 625/3, gain of the observer at its end.
+    const E4_2: f32 = 208.33333;
+    /// 87500/3, gain of the observer at its end.
+    const E4_3: f32 = 29166.666;
+    /// Gain of the observer at its end.
+    const E4_4: f32 = 2500000.0;
+    /// Gain of the observer at its end.
+    const E4_5: f32 = 100000000.0;
+    /// Weight of x1 in the law.
+    const B_1: f32 = -100000000.0;
+    /// Weight of x2 in the law.
+    const B_2: f32 = -2500000.0;
+    /// -87500/3, weight of x3 in the law.
+    const B_3: f32 = -29166.666;
+    /// -625/3, weight of x4 in the law.
+    const B_4: f32 = -208.33333;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage11Params) -> Result<Self, Error> {
-        if !((9 < params.samples)
-            && (0.0 < params.u_max)
+        if !((params.samples > 9)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.k[3].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = (params.k[3] - 9.0) + 4.0;
         let s2 = if s1 < 8.0 { 8.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -295,14 +400,20 @@ impl Stage11 {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.01 * self.x2_hat) + (5e-5 * self.x3_hat);
-        let s2 = s1 + (1.6666667e-7 * self.x4_hat);
-        let p1 = s2 + (4.1666667e-10 * self.d_hat) + (4.1666667e-10 * self.u1);
-        let s3 = self.x2_hat + (0.01 * self.x3_hat) + (5e-5 * self.x4_hat);
-        let p2 = s3 + (1.6666667e-7 * self.d_hat) + (1.6666667e-7 * self.u1);
-        let s4 = self.x3_hat + (0.01 * self.x4_hat) + (5e-5 * self.d_hat);
-        let p3 = s4 + (5e-5 * self.u1);
-        let p4 = self.x4_hat + (0.01 * self.d_hat) + (0.01 * self.u1);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.x3_hat);
+        let s3 = s2 + (Self::PHI1_4 * self.x4_hat);
+        let s4 = s3 + (Self::PHI1_5 * self.d_hat);
+        let p1 = s4 + (Self::GAMMA1 * self.u1);
+        let s5 = self.x2_hat + (Self::PHI2_3 * self.x3_hat);
+        let s6 = s5 + (Self::PHI2_4 * self.x4_hat);
+        let s7 = s6 + (Self::PHI2_5 * self.d_hat);
+        let p2 = s7 + (Self::GAMMA2 * self.u1);
+        let s8 = self.x3_hat + (Self::PHI3_4 * self.x4_hat);
+        let s9 = s8 + (Self::PHI3_5 * self.d_hat);
+        let p3 = s9 + (Self::GAMMA3 * self.u1);
+        let s10 = self.x4_hat + (Self::PHI4_5 * self.d_hat);
+        let p4 = s10 + (Self::GAMMA4 * self.u1);
         let p5 = self.d_hat;
 
         // Correct by what is measured.
@@ -322,50 +433,50 @@ impl Stage11 {
         let l3: f32;
         let l4: f32;
         let l5: f32;
-        if 12.0 < o0 {
+        if o0 > 12.0 {
             let r0 = 1.0 / o0;
             let r1 = 1.0 / (o0 - 1.0);
             let r2 = 1.0 / (o0 - 2.0);
             let r3 = 1.0 / (o0 - 3.0);
             let r4 = 1.0 / (o0 - 4.0);
-            let s5 = ((((((6720.0 * r0) - 4200.0) * r1) + 1200.0) * r2) - 200.0) * r3;
-            l1 = (s5 + 20.0) * r4;
-            let s6 = (((((-808000.0) * r0) + 454000.0) * r1) - 108000.0) * r2;
-            l2 = (s6 + 12000.0) * r3 * r4;
-            let s7 = ((((38400000.0 * r0) - 16800000.0) * r1) + 2400000.0) * r2 * r3;
-            l3 = s7 * r4;
-            l4 = (((-480000000.0) * r0) + 120000000.0) * r1 * r2 * r3 * r4;
+            let s11 = ((((Self::Q1_1 * r0) + Self::Q1_2) * r1) + Self::Q1_3) * r2;
+            l1 = (((s11 + Self::Q1_4) * r3) + Self::Q1_5) * r4;
+            let s12 = ((((Self::Q2_1 * r0) + Self::Q2_2) * r1) + Self::Q2_3) * r2;
+            l2 = (s12 + Self::Q2_4) * r3 * r4;
+            let s13 = ((((Self::Q3_1 * r0) + Self::Q3_2) * r1) + Self::Q3_3) * r2;
+            l3 = s13 * r3 * r4;
+            l4 = ((Self::Q4_1 * r0) + Self::Q4_2) * r1 * r2 * r3 * r4;
             l5 = 0.0;
         } else if left_o == 12 {
             l1 = 1.0;
-            l2 = 50.757576;
-            l3 = 3678.4512;
-            l4 = -166666.67;
-            l5 = 7070707.0;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
+            l4 = Self::E0_4;
+            l5 = Self::E0_5;
         } else if left_o == 11 {
             l1 = 1.0;
-            l2 = 79.29293;
-            l3 = -1414.1414;
-            l4 = 696969.7;
-            l5 = -48484850.0;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
+            l4 = Self::E1_4;
+            l5 = Self::E1_5;
         } else if left_o == 10 {
             l1 = 1.0;
-            l2 = 105.55556;
-            l3 = -1111.1111;
-            l4 = -333333.34;
-            l5 = 133333336.0;
+            l2 = Self::E2_2;
+            l3 = Self::E2_3;
+            l4 = Self::E2_4;
+            l5 = Self::E2_5;
         } else if left_o == 9 {
             l1 = 1.0;
-            l2 = 138.88889;
-            l3 = 3703.7036;
-            l4 = -1666666.6;
-            l5 = -177777780.0;
+            l2 = Self::E3_2;
+            l3 = Self::E3_3;
+            l4 = Self::E3_4;
+            l5 = Self::E3_5;
         } else {
             l1 = 1.0;
-            l2 = 208.33333;
-            l3 = 29166.666;
-            l4 = 2500000.0;
-            l5 = 100000000.0;
+            l2 = Self::E4_2;
+            l3 = Self::E4_3;
+            l4 = Self::E4_4;
+            l5 = Self::E4_5;
         }
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
@@ -375,25 +486,25 @@ impl Stage11 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f32;
         let v: f32;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
-            let s8 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
-            let z1 = s8 + (self.w1_4 * x4);
+            let s14 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
+            let z1 = s14 + (self.w1_4 * x4);
             let z2 = (self.w2_2 * x2) + (self.w2_3 * x3) + (self.w2_4 * x4);
             let z3 = (self.w3_3 * x3) + (self.w3_4 * x4);
             let z4 = self.w4_4 * x4;
-            let s9 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            v = (s9 / (m0 - 3.0)) - d;
+            let s15 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
+            v = (s15 / (m0 - 3.0)) - d;
         } else {
             // Deadbeat.
-            let s10 = (((-100000000.0) * x1) - (2500000.0 * x2)) - (29166.666 * x3);
-            v = (s10 - (208.33333 * x4)) - d;
+            let s16 = (Self::B_1 * x1) + (Self::B_2 * x2) + (Self::B_3 * x3);
+            v = (s16 + (Self::B_4 * x4)) - d;
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f32;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -407,7 +518,7 @@ impl Stage11 {
         self.x4_hat = x4;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if elapsed < self.samples {
             Status::Ok

@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_A4ED6802_H
-#define STAGE12_A4ED6802_H
+#ifndef STAGE12_B471F9EE_H
+#define STAGE12_B471F9EE_H
 
 #include <stdint.h>
 
@@ -95,16 +95,16 @@ typedef struct stage12 {
     double d_hat; /* estimate of d */
     double d_next; /* prediction of d without u */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w1_3; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double w2_3; /* weight of a state in the law */
-    double w3_2; /* weight of a state in the law */
-    double w3_3; /* weight of a state in the law */
-    double w4_2; /* weight of a state in the law */
-    double w4_3; /* weight of a state in the law */
-    double w4_4; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w1_3; /* weight of x3 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double w2_3; /* weight of x3 in the law */
+    double w3_2; /* weight of x2 in the law */
+    double w3_3; /* weight of x3 in the law */
+    double w4_2; /* weight of x2 in the law */
+    double w4_3; /* weight of x3 in the law */
+    double w4_4; /* weight of u1 in the law */
     double u_max; /* bound of |u| */
 } stage12;
 

@@ -33,23 +33,68 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE12_GAMMA1 0.00010816330676811052 /* prediction from u */
+#define STAGE12_GAMMA2 0.30941358230147875 /* prediction from u */
+#define STAGE12_GAMMA3 0.37459048481653323 /* prediction from u */
+#define STAGE12_Q1_1_1 (-8.0) /* weight in the observer's gain l1_1 */
+#define STAGE12_Q1_1_2 8.0 /* weight in the observer's gain l1_1 */
+#define STAGE12_Q1_2_1 12007.013438558752 /* weight in the observer's gain l1_2 */
+#define STAGE12_Q1_2_2 (-4.007472019404232) /* weight in the observer's gain l1_2 */
+#define STAGE12_Q1_4_1 359.9910335767149 /* weight in the observer's gain l1_4 */
+#define STAGE12_Q2_2_1 (-18.578489051610646) /* weight in the observer's gain l2_2 */
+#define STAGE12_Q2_2_2 9.913794744612098 /* weight in the observer's gain l2_2 */
+#define STAGE12_Q2_3_1 (-12.0) /* weight in the observer's gain l2_3 */
+#define STAGE12_Q2_3_2 12.0 /* weight in the observer's gain l2_3 */
+#define STAGE12_Q2_4_1 79.8275894892242 /* weight in the observer's gain l2_4 */
+#define STAGE12_E0_1_1 0.9995008164815138 /* gain of the observer at its end */
+#define STAGE12_E0_1_2 (-0.4960345371406728) /* gain of the observer at its end */
+#define STAGE12_E0_1_3 0.005627803367048088 /* gain of the observer at its end */
+#define STAGE12_E0_2_1 0.0014420897963740578 /* gain of the observer at its end */
+#define STAGE12_E0_2_2 2.2101945239792857 /* gain of the observer at its end */
+#define STAGE12_E0_2_3 1.0319275340206813 /* gain of the observer at its end */
+#define STAGE12_E0_2_4 1.3304598248204031 /* gain of the observer at its end */
+#define STAGE12_E1_1_1 1.9995008164815138 /* gain of the observer at its end */
+#define STAGE12_E1_1_2 999.2535286720462 /* gain of the observer at its end */
+#define STAGE12_E1_1_3 0.005627803367048088 /* gain of the observer at its end */
+#define STAGE12_E1_1_4 29.999252798059576 /* gain of the observer at its end */
+#define STAGE12_E1_2_1 0.0014420897963740578 /* gain of the observer at its end */
+#define STAGE12_E1_2_2 2.4788577332214805 /* gain of the observer at its end */
+#define STAGE12_E1_2_3 1.5319275340206813 /* gain of the observer at its end */
+#define STAGE12_E1_2_4 2.6609196496408063 /* gain of the observer at its end */
+#define STAGE12_PHI1_2 0.000996505559752715 /* prediction of x1 from x2 */
+#define STAGE12_PHI1_3 0.0006188271646029575 /* prediction of x1 from x3 */
+#define STAGE12_PHI1_4 0.00010816330676811052 /* prediction of x1 from d */
+#define STAGE12_PHI2_2 0.9902193397510792 /* prediction of x2 from x2 */
+#define STAGE12_PHI2_3 1.1234620408672982 /* prediction of x2 from x3 */
+#define STAGE12_PHI2_4 0.30941358230147875 /* prediction of x2 from d */
+#define STAGE12_PHI3_2 (-0.011234620408672982) /* prediction of x3 from x2 */
+#define STAGE12_PHI3_3 0.5412090107511158 /* prediction of x3 from x3 */
+#define STAGE12_PHI3_4 0.37459048481653323 /* prediction of x3 from d */
+#define STAGE12_C_2 (-0.014068298956658285) /* weight of x2 in the law */
+#define STAGE12_C_3 (-0.5288375642249519) /* weight of x3 in the law */
+#define STAGE12_C_4 1.468571649497805 /* weight of u1 in the law */
+#define STAGE12_B_1 (-1776.8479601183408) /* weight of x1 in the law */
+#define STAGE12_B_2 (-5.132434542441746) /* weight of x2 in the law */
+#define STAGE12_B_3 (-6.801905651476086) /* weight of x3 in the law */
+#define STAGE12_B_4 (-2.5314283505021953) /* weight of u1 in the law */
 ptc_status stage12_init(stage12 *self, const stage12_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((7U < params->samples)
-            && (0.0 < params->u_max)
+        if ((params->samples > 7U)
+            && (params->u_max > 0.0)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->k[2])
             && PTC_FINITE_F64(params->k[3])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double s1 = (params->k[3] - 9.0) + 4.0;
             const double s2 = (s1 < 8.0) ? 8.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double w1_1 = 1776.8479601183408 * (-params->k[0]);
             const double w1_2 = (-1.8656772383860403) * (-params->k[0]);
             const double w1_3 = 1.0279922805444073 * (-params->k[0]);
@@ -154,9 +199,9 @@ ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
                 x3 = y[1];
                 d = 0.0;
             } else {
-                x1 = self->x1_next + (0.00010816330676811052 * self->u2);
-                x2 = self->x2_next + (0.30941358230147875 * self->u2);
-                x3 = self->x3_next + (0.37459048481653323 * self->u2);
+                x1 = self->x1_next + (STAGE12_GAMMA1 * self->u2);
+                x2 = self->x2_next + (STAGE12_GAMMA2 * self->u2);
+                x3 = self->x3_next + (STAGE12_GAMMA3 * self->u2);
                 d = self->d_next;
             }
 
@@ -184,64 +229,65 @@ ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
                 l2_2 = 1.2843129003368876;
                 l2_3 = -0.2598303207324358;
                 l2_4 = 0.028634005234458536;
-            } else if (8.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
-                const double s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
-                l1_2 = s1 + 0.004899465284856127;
+            } else if (o0 > 8.0) {
+                const double r0 = 1.0 / (o0 * (o0 - 1.0));
+                const double s1 = (STAGE12_Q1_1_1 + (STAGE12_Q1_1_2 * o0)) * r0;
+                l1_1 = s1 - 0.0004991835184862197;
+                const double s2 = (STAGE12_Q1_2_1 + (STAGE12_Q1_2_2 * o0)) * r0;
+                l1_2 = s2 + 0.004899465284856127;
                 l1_3 = 0.005627803367048088;
-                l1_4 = 359.9910335767149 * r0 * r1;
+                l1_4 = STAGE12_Q1_4_1 * r0;
                 l2_1 = 0.0014420897963740578;
-                const double s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
-                l2_2 = s2 + 1.1153817526860825;
-                l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
-                l2_4 = 79.8275894892242 * r0 * r1;
+                const double s3 = (STAGE12_Q2_2_1 + (STAGE12_Q2_2_2 * o0)) * r0;
+                l2_2 = s3 + 1.1153817526860825;
+                const double s4 = (STAGE12_Q2_3_1 + (STAGE12_Q2_3_2 * o0)) * r0;
+                l2_3 = s4 - 0.46807246597931873;
+                l2_4 = STAGE12_Q2_4_1 * r0;
             } else if (left_o == 8U) {
-                l1_1 = 0.9995008164815138;
-                l1_2 = -0.4960345371406728;
-                l1_3 = 0.005627803367048088;
+                l1_1 = STAGE12_E0_1_1;
+                l1_2 = STAGE12_E0_1_2;
+                l1_3 = STAGE12_E0_1_3;
                 l1_4 = 0.0;
-                l2_1 = 0.0014420897963740578;
-                l2_2 = 2.2101945239792857;
-                l2_3 = 1.0319275340206813;
-                l2_4 = 1.3304598248204031;
+                l2_1 = STAGE12_E0_2_1;
+                l2_2 = STAGE12_E0_2_2;
+                l2_3 = STAGE12_E0_2_3;
+                l2_4 = STAGE12_E0_2_4;
             } else {
-                l1_1 = 1.9995008164815138;
-                l1_2 = 999.2535286720462;
-                l1_3 = 0.005627803367048088;
-                l1_4 = 29.999252798059576;
-                l2_1 = 0.0014420897963740578;
-                l2_2 = 2.4788577332214805;
-                l2_3 = 1.5319275340206813;
-                l2_4 = 2.6609196496408063;
+                l1_1 = STAGE12_E1_1_1;
+                l1_2 = STAGE12_E1_1_2;
+                l1_3 = STAGE12_E1_1_3;
+                l1_4 = STAGE12_E1_1_4;
+                l2_1 = STAGE12_E1_2_1;
+                l2_2 = STAGE12_E1_2_2;
+                l2_3 = STAGE12_E1_2_3;
+                l2_4 = STAGE12_E1_2_4;
             }
-            const double s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-            const double x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
-            const double s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-            const double x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
-            const double s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-            const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+            const double s5 = x1 + (STAGE12_PHI1_2 * x2) + (STAGE12_PHI1_3 * x3);
+            const double x1_on = s5 + (STAGE12_PHI1_4 * d) + (l1_1 * off1) + (l2_1 * off2);
+            const double s6 = (STAGE12_PHI2_2 * x2) + (STAGE12_PHI2_3 * x3);
+            const double x2_on = s6 + (STAGE12_PHI2_4 * d) + (l1_2 * off1) + (l2_2 * off2);
+            const double s7 = (STAGE12_PHI3_2 * x2) + (STAGE12_PHI3_3 * x3);
+            const double x3_on = s7 + (STAGE12_PHI3_4 * d) + (l1_3 * off1) + (l2_3 * off2);
             const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = (double)left;
             double v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
                 const double z2 = (self->w2_2 * x2) + (self->w2_3 * x3);
                 const double z3 = (self->w3_2 * x2) + (self->w3_3 * x3);
-                const double s6 = (self->w4_2 * x2) + (self->w4_3 * x3);
-                const double z4 = s6 + (self->w4_4 * (self->u1 + d));
-                const double s7 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-                const double s8 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-                const double s9 = (s7 / (m0 - 3.0)) + (s8 + (1.468571649497805 * (self->u1 + d)));
-                v = s9 - d;
+                const double s8 = (self->w4_2 * x2) + (self->w4_3 * x3);
+                const double z4 = s8 + (self->w4_4 * (self->u1 + d));
+                const double m0f2 = m0 * (m0 - 1.0);
+                const double m0f3 = m0f2 * (m0 - 2.0);
+                const double s9 = (STAGE12_C_2 * x2) + (STAGE12_C_3 * x3);
+                const double s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+                v = (s10 + (s9 + (STAGE12_C_4 * (self->u1 + d)))) - d;
             } else {
                 /* Deadbeat. */
-                const double s10 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
-                const double s11 = 2.5314283505021953 * (self->u1 + d);
-                v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
+                const double s11 = (STAGE12_B_1 * x1) + (STAGE12_B_2 * x2) + (STAGE12_B_3 * x3);
+                v = (s11 + (STAGE12_B_4 * (self->u1 + d))) - d;
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)
@@ -250,7 +296,7 @@ ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
                 && PTC_FINITE_F64(x3_on)
                 && PTC_FINITE_F64(d_on)) {
                 double u_now;
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     u_now = self->u_max;
                 } else if (v < -self->u_max) {
                     u_now = -self->u_max;
@@ -269,7 +315,7 @@ ptc_status stage12_step(stage12 *self, uint32_t k, const double y[2], double *u)
                 self->d_next = d_on;
                 self->seen = 1U;
                 *u = u_now;
-                if ((self->u_max < v) || (v < -self->u_max)) {
+                if ((v > self->u_max) || (v < -self->u_max)) {
                     status = PTC_SATURATED;
                 } else if (elapsed < self->samples) {
                     status = PTC_OK;

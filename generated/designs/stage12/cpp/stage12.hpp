@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE12_FF51D36A_HPP
-#define STAGE12_FF51D36A_HPP
+#ifndef STAGE12_7556D75A_HPP
+#define STAGE12_7556D75A_HPP
 
 #include <array>
 #include <cfloat>
@@ -120,20 +120,20 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((7U < params.samples)
-                && (0.0 < params.u_max)
+        if (!((params.samples > 7U)
+                && (params.u_max > 0.0)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.k[3])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const double s1 = (params.k[3] - 9.0) + 4.0;
         const double s2 = (s1 < 8.0) ? 8.0 : s1;
-        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double w1_1 = 1776.8479601183408 * (-params.k[0]);
         const double w1_2 = (-1.8656772383860403) * (-params.k[0]);
         const double w1_3 = 1.0279922805444073 * (-params.k[0]);
@@ -230,9 +230,9 @@ public:
             x3 = y[1];
             d = 0.0;
         } else {
-            x1 = x1_next_ + (0.00010816330676811052 * u2_);
-            x2 = x2_next_ + (0.30941358230147875 * u2_);
-            x3 = x3_next_ + (0.37459048481653323 * u2_);
+            x1 = x1_next_ + (gamma1_ * u2_);
+            x2 = x2_next_ + (gamma2_ * u2_);
+            x3 = x3_next_ + (gamma3_ * u2_);
             d = d_next_;
         }
 
@@ -260,70 +260,71 @@ public:
             l2_2 = 1.2843129003368876;
             l2_3 = -0.2598303207324358;
             l2_4 = 0.028634005234458536;
-        } else if (8.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
-            const double s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
-            l1_2 = s1 + 0.004899465284856127;
+        } else if (o0 > 8.0) {
+            const double r0 = 1.0 / (o0 * (o0 - 1.0));
+            const double s1 = (q1_1_1_ + (q1_1_2_ * o0)) * r0;
+            l1_1 = s1 - 0.0004991835184862197;
+            const double s2 = (q1_2_1_ + (q1_2_2_ * o0)) * r0;
+            l1_2 = s2 + 0.004899465284856127;
             l1_3 = 0.005627803367048088;
-            l1_4 = 359.9910335767149 * r0 * r1;
+            l1_4 = q1_4_1_ * r0;
             l2_1 = 0.0014420897963740578;
-            const double s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
-            l2_2 = s2 + 1.1153817526860825;
-            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
-            l2_4 = 79.8275894892242 * r0 * r1;
+            const double s3 = (q2_2_1_ + (q2_2_2_ * o0)) * r0;
+            l2_2 = s3 + 1.1153817526860825;
+            const double s4 = (q2_3_1_ + (q2_3_2_ * o0)) * r0;
+            l2_3 = s4 - 0.46807246597931873;
+            l2_4 = q2_4_1_ * r0;
         } else if (left_o == 8U) {
-            l1_1 = 0.9995008164815138;
-            l1_2 = -0.4960345371406728;
-            l1_3 = 0.005627803367048088;
+            l1_1 = e0_1_1_;
+            l1_2 = e0_1_2_;
+            l1_3 = e0_1_3_;
             l1_4 = 0.0;
-            l2_1 = 0.0014420897963740578;
-            l2_2 = 2.2101945239792857;
-            l2_3 = 1.0319275340206813;
-            l2_4 = 1.3304598248204031;
+            l2_1 = e0_2_1_;
+            l2_2 = e0_2_2_;
+            l2_3 = e0_2_3_;
+            l2_4 = e0_2_4_;
         } else {
-            l1_1 = 1.9995008164815138;
-            l1_2 = 999.2535286720462;
-            l1_3 = 0.005627803367048088;
-            l1_4 = 29.999252798059576;
-            l2_1 = 0.0014420897963740578;
-            l2_2 = 2.4788577332214805;
-            l2_3 = 1.5319275340206813;
-            l2_4 = 2.6609196496408063;
+            l1_1 = e1_1_1_;
+            l1_2 = e1_1_2_;
+            l1_3 = e1_1_3_;
+            l1_4 = e1_1_4_;
+            l2_1 = e1_2_1_;
+            l2_2 = e1_2_2_;
+            l2_3 = e1_2_3_;
+            l2_4 = e1_2_4_;
         }
-        const double s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        const double x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
-        const double s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        const double x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
-        const double s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+        const double s5 = x1 + (phi1_2_ * x2) + (phi1_3_ * x3);
+        const double x1_on = s5 + (phi1_4_ * d) + (l1_1 * off1) + (l2_1 * off2);
+        const double s6 = (phi2_2_ * x2) + (phi2_3_ * x3);
+        const double x2_on = s6 + (phi2_4_ * d) + (l1_2 * off1) + (l2_2 * off2);
+        const double s7 = (phi3_2_ * x2) + (phi3_3_ * x3);
+        const double x3_on = s7 + (phi3_4_ * d) + (l1_3 * off1) + (l2_3 * off2);
         const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = static_cast<double>(left);
         double v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
             const double z2 = (w2_2_ * x2) + (w2_3_ * x3);
             const double z3 = (w3_2_ * x2) + (w3_3_ * x3);
-            const double s6 = (w4_2_ * x2) + (w4_3_ * x3);
-            const double z4 = s6 + (w4_4_ * (u1_ + d));
-            const double s7 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            const double s8 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-            const double s9 = (s7 / (m0 - 3.0)) + (s8 + (1.468571649497805 * (u1_ + d)));
-            v = s9 - d;
+            const double s8 = (w4_2_ * x2) + (w4_3_ * x3);
+            const double z4 = s8 + (w4_4_ * (u1_ + d));
+            const double m0f2 = m0 * (m0 - 1.0);
+            const double m0f3 = m0f2 * (m0 - 2.0);
+            const double s9 = (c_2_ * x2) + (c_3_ * x3);
+            const double s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = (s10 + (s9 + (c_4_ * (u1_ + d)))) - d;
         } else {
             // Deadbeat.
-            const double s10 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
-            const double s11 = 2.5314283505021953 * (u1_ + d);
-            v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
+            const double s11 = (b_1_ * x1) + (b_2_ * x2) + (b_3_ * x3);
+            v = (s11 + (b_4_ * (u1_ + d))) - d;
         }
         if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on) && finite(d_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -341,7 +342,7 @@ public:
         d_hat_ = d;
         d_next_ = d_on;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
@@ -373,6 +374,94 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Prediction from u.
+    static constexpr double gamma1_{0.00010816330676811052};
+    /// Prediction from u.
+    static constexpr double gamma2_{0.30941358230147875};
+    /// Prediction from u.
+    static constexpr double gamma3_{0.37459048481653323};
+    /// Weight in the observer's gain l1_1.
+    static constexpr double q1_1_1_{-8.0};
+    /// Weight in the observer's gain l1_1.
+    static constexpr double q1_1_2_{8.0};
+    /// Weight in the observer's gain l1_2.
+    static constexpr double q1_2_1_{12007.013438558752};
+    /// Weight in the observer's gain l1_2.
+    static constexpr double q1_2_2_{-4.007472019404232};
+    /// Weight in the observer's gain l1_4.
+    static constexpr double q1_4_1_{359.9910335767149};
+    /// Weight in the observer's gain l2_2.
+    static constexpr double q2_2_1_{-18.578489051610646};
+    /// Weight in the observer's gain l2_2.
+    static constexpr double q2_2_2_{9.913794744612098};
+    /// Weight in the observer's gain l2_3.
+    static constexpr double q2_3_1_{-12.0};
+    /// Weight in the observer's gain l2_3.
+    static constexpr double q2_3_2_{12.0};
+    /// Weight in the observer's gain l2_4.
+    static constexpr double q2_4_1_{79.8275894892242};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_1_{0.9995008164815138};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_2_{-0.4960345371406728};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_3_{0.005627803367048088};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_1_{0.0014420897963740578};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_2_{2.2101945239792857};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_3_{1.0319275340206813};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_4_{1.3304598248204031};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_1_{1.9995008164815138};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_2_{999.2535286720462};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_3_{0.005627803367048088};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_4_{29.999252798059576};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_1_{0.0014420897963740578};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_2_{2.4788577332214805};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_3_{1.5319275340206813};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_4_{2.6609196496408063};
+    /// Prediction of x1 from x2.
+    static constexpr double phi1_2_{0.000996505559752715};
+    /// Prediction of x1 from x3.
+    static constexpr double phi1_3_{0.0006188271646029575};
+    /// Prediction of x1 from d.
+    static constexpr double phi1_4_{0.00010816330676811052};
+    /// Prediction of x2 from x2.
+    static constexpr double phi2_2_{0.9902193397510792};
+    /// Prediction of x2 from x3.
+    static constexpr double phi2_3_{1.1234620408672982};
+    /// Prediction of x2 from d.
+    static constexpr double phi2_4_{0.30941358230147875};
+    /// Prediction of x3 from x2.
+    static constexpr double phi3_2_{-0.011234620408672982};
+    /// Prediction of x3 from x3.
+    static constexpr double phi3_3_{0.5412090107511158};
+    /// Prediction of x3 from d.
+    static constexpr double phi3_4_{0.37459048481653323};
+    /// Weight of x2 in the law.
+    static constexpr double c_2_{-0.014068298956658285};
+    /// Weight of x3 in the law.
+    static constexpr double c_3_{-0.5288375642249519};
+    /// Weight of u1 in the law.
+    static constexpr double c_4_{1.468571649497805};
+    /// Weight of x1 in the law.
+    static constexpr double b_1_{-1776.8479601183408};
+    /// Weight of x2 in the law.
+    static constexpr double b_2_{-5.132434542441746};
+    /// Weight of x3 in the law.
+    static constexpr double b_3_{-6.801905651476086};
+    /// Weight of u1 in the law.
+    static constexpr double b_4_{-2.5314283505021953};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -388,16 +477,16 @@ private:
     double d_hat_{}; // estimate of d
     double d_next_{}; // prediction of d without u
     double deadbeat_{}; // samples to go at which deadbeat takes over
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w1_3_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double w2_3_{}; // weight of a state in the law
-    double w3_2_{}; // weight of a state in the law
-    double w3_3_{}; // weight of a state in the law
-    double w4_2_{}; // weight of a state in the law
-    double w4_3_{}; // weight of a state in the law
-    double w4_4_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w1_3_{}; // weight of x3 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double w2_3_{}; // weight of x3 in the law
+    double w3_2_{}; // weight of x2 in the law
+    double w3_3_{}; // weight of x3 in the law
+    double w4_2_{}; // weight of x2 in the law
+    double w4_3_{}; // weight of x3 in the law
+    double w4_4_{}; // weight of u1 in the law
     double u_max_{}; // bound of |u|
 };
 

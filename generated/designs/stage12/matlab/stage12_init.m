@@ -65,10 +65,10 @@ if numel(params.k) ~= 4
     error('stage12:param', 'params.k has %d numbers; legal: 4', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(7) < given.samples)
+if ~(given.samples > uint32(7))
     error('stage12:param', 'params.samples is %g; legal: >= 8', params.samples);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage12:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -83,13 +83,13 @@ end
 if ~isfinite(given.k(4))
     error('stage12:param', 'params.k(4) is %g; legal: finite', params.k(4));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage12:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = (given.k(4) - 9.0) + 4.0;
 s2 = pick(s1 < 8.0, 8.0, s1);
-deadbeat = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 w1_1 = 1776.8479601183408 * (-given.k(1));
 w1_2 = (-1.8656772383860403) * (-given.k(1));
 w1_3 = 1.0279922805444073 * (-given.k(1));

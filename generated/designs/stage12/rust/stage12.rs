@@ -163,25 +163,25 @@ pub struct Stage12 {
     d_next: f64,
     /// samples to go at which deadbeat takes over.
     deadbeat: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w3_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w4_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w4_3: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w4_4: f64,
     /// bound of |u|.
     u_max: f64,
@@ -196,26 +196,115 @@ pub struct Stage12 {
     clippy::nursery
 )]
 impl Stage12 {
+    /// Prediction from u.
+    const GAMMA1: f64 = 0.00010816330676811052;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.30941358230147875;
+    /// Prediction from u.
+    const GAMMA3: f64 = 0.37459048481653323;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_1: f64 = -8.0;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_2: f64 = 8.0;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_1: f64 = 12007.013438558752;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_2: f64 = -4.007472019404232;
+    /// Weight in the observer's gain l1_4.
+    const Q1_4_1: f64 = 359.9910335767149;
+    /// Weight in the observer's gain l2_2.
+    const Q2_2_1: f64 = -18.578489051610646;
+    /// Weight in the observer's gain l2_2.
+    const Q2_2_2: f64 = 9.913794744612098;
+    /// Weight in the observer's gain l2_3.
+    const Q2_3_1: f64 = -12.0;
+    /// Weight in the observer's gain l2_3.
+    const Q2_3_2: f64 = 12.0;
+    /// Weight in the observer's gain l2_4.
+    const Q2_4_1: f64 = 79.8275894892242;
+    /// Gain of the observer at its end.
+    const E0_1_1: f64 = 0.9995008164815138;
+    /// Gain of the observer at its end.
+    const E0_1_2: f64 = -0.4960345371406728;
+    /// Gain of the observer at its end.
+    const E0_1_3: f64 = 0.005627803367048088;
+    /// Gain of the observer at its end.
+    const E0_2_1: f64 = 0.0014420897963740578;
+    /// Gain of the observer at its end.
+    const E0_2_2: f64 = 2.2101945239792857;
+    /// Gain of the observer at its end.
+    const E0_2_3: f64 = 1.0319275340206813;
+    /// Gain of the observer at its end.
+    const E0_2_4: f64 = 1.3304598248204031;
+    /// Gain of the observer at its end.
+    const E1_1_1: f64 = 1.9995008164815138;
+    /// Gain of the observer at its end.
+    const E1_1_2: f64 = 999.2535286720462;
+    /// Gain of the observer at its end.
+    const E1_1_3: f64 = 0.005627803367048088;
+    /// Gain of the observer at its end.
+    const E1_1_4: f64 = 29.999252798059576;
+    /// Gain of the observer at its end.
+    const E1_2_1: f64 = 0.0014420897963740578;
+    /// Gain of the observer at its end.
+    const E1_2_2: f64 = 2.4788577332214805;
+    /// Gain of the observer at its end.
+    const E1_2_3: f64 = 1.5319275340206813;
+    /// Gain of the observer at its end.
+    const E1_2_4: f64 = 2.6609196496408063;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.000996505559752715;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f64 = 0.0006188271646029575;
+    /// Prediction of x1 from d.
+    const PHI1_4: f64 = 0.00010816330676811052;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9902193397510792;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f64 = 1.1234620408672982;
+    /// Prediction of x2 from d.
+    const PHI2_4: f64 = 0.30941358230147875;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f64 = -0.011234620408672982;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f64 = 0.5412090107511158;
+    /// Prediction of x3 from d.
+    const PHI3_4: f64 = 0.37459048481653323;
+    /// Weight of x2 in the law.
+    const C_2: f64 = -0.014068298956658285;
+    /// Weight of x3 in the law.
+    const C_3: f64 = -0.5288375642249519;
+    /// Weight of u1 in the law.
+    const C_4: f64 = 1.468571649497805;
+    /// Weight of x1 in the law.
+    const B_1: f64 = -1776.8479601183408;
+    /// Weight of x2 in the law.
+    const B_2: f64 = -5.132434542441746;
+    /// Weight of x3 in the law.
+    const B_3: f64 = -6.801905651476086;
+    /// Weight of u1 in the law.
+    const B_4: f64 = -2.5314283505021953;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage12Params) -> Result<Self, Error> {
-        if !((7 < params.samples)
-            && (0.0 < params.u_max)
+        if !((params.samples > 7)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.k[3].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = (params.k[3] - 9.0) + 4.0;
         let s2 = if s1 < 8.0 { 8.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -320,9 +409,9 @@ impl Stage12 {
             x3 = y[1];
             d = 0.0;
         } else {
-            x1 = self.x1_next + (0.00010816330676811052 * self.u2);
-            x2 = self.x2_next + (0.30941358230147875 * self.u2);
-            x3 = self.x3_next + (0.37459048481653323 * self.u2);
+            x1 = self.x1_next + (Self::GAMMA1 * self.u2);
+            x2 = self.x2_next + (Self::GAMMA2 * self.u2);
+            x3 = self.x3_next + (Self::GAMMA3 * self.u2);
             d = self.d_next;
         }
 
@@ -350,64 +439,65 @@ impl Stage12 {
             l2_2 = 1.2843129003368876;
             l2_3 = -0.2598303207324358;
             l2_4 = 0.028634005234458536;
-        } else if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
-            let s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
-            l1_2 = s1 + 0.004899465284856127;
+        } else if o0 > 8.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            let s1 = (Self::Q1_1_1 + (Self::Q1_1_2 * o0)) * r0;
+            l1_1 = s1 - 0.0004991835184862197;
+            let s2 = (Self::Q1_2_1 + (Self::Q1_2_2 * o0)) * r0;
+            l1_2 = s2 + 0.004899465284856127;
             l1_3 = 0.005627803367048088;
-            l1_4 = 359.9910335767149 * r0 * r1;
+            l1_4 = Self::Q1_4_1 * r0;
             l2_1 = 0.0014420897963740578;
-            let s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
-            l2_2 = s2 + 1.1153817526860825;
-            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
-            l2_4 = 79.8275894892242 * r0 * r1;
+            let s3 = (Self::Q2_2_1 + (Self::Q2_2_2 * o0)) * r0;
+            l2_2 = s3 + 1.1153817526860825;
+            let s4 = (Self::Q2_3_1 + (Self::Q2_3_2 * o0)) * r0;
+            l2_3 = s4 - 0.46807246597931873;
+            l2_4 = Self::Q2_4_1 * r0;
         } else if left_o == 8 {
-            l1_1 = 0.9995008164815138;
-            l1_2 = -0.4960345371406728;
-            l1_3 = 0.005627803367048088;
+            l1_1 = Self::E0_1_1;
+            l1_2 = Self::E0_1_2;
+            l1_3 = Self::E0_1_3;
             l1_4 = 0.0;
-            l2_1 = 0.0014420897963740578;
-            l2_2 = 2.2101945239792857;
-            l2_3 = 1.0319275340206813;
-            l2_4 = 1.3304598248204031;
+            l2_1 = Self::E0_2_1;
+            l2_2 = Self::E0_2_2;
+            l2_3 = Self::E0_2_3;
+            l2_4 = Self::E0_2_4;
         } else {
-            l1_1 = 1.9995008164815138;
-            l1_2 = 999.2535286720462;
-            l1_3 = 0.005627803367048088;
-            l1_4 = 29.999252798059576;
-            l2_1 = 0.0014420897963740578;
-            l2_2 = 2.4788577332214805;
-            l2_3 = 1.5319275340206813;
-            l2_4 = 2.6609196496408063;
+            l1_1 = Self::E1_1_1;
+            l1_2 = Self::E1_1_2;
+            l1_3 = Self::E1_1_3;
+            l1_4 = Self::E1_1_4;
+            l2_1 = Self::E1_2_1;
+            l2_2 = Self::E1_2_2;
+            l2_3 = Self::E1_2_3;
+            l2_4 = Self::E1_2_4;
         }
-        let s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        let x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
-        let s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        let x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
-        let s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        let x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+        let s5 = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3);
+        let x1_on = s5 + (Self::PHI1_4 * d) + (l1_1 * off1) + (l2_1 * off2);
+        let s6 = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3);
+        let x2_on = s6 + (Self::PHI2_4 * d) + (l1_2 * off1) + (l2_2 * off2);
+        let s7 = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3);
+        let x3_on = s7 + (Self::PHI3_4 * d) + (l1_3 * off1) + (l2_3 * off2);
         let d_on = d + (l1_4 * off1) + (l2_4 * off2);
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f64;
         let v: f64;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
             let z2 = (self.w2_2 * x2) + (self.w2_3 * x3);
             let z3 = (self.w3_2 * x2) + (self.w3_3 * x3);
-            let s6 = (self.w4_2 * x2) + (self.w4_3 * x3);
-            let z4 = s6 + (self.w4_4 * (self.u1 + d));
-            let s7 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            let s8 = ((-0.014068298956658285) * x2) - (0.5288375642249519 * x3);
-            let s9 = (s7 / (m0 - 3.0)) + (s8 + (1.468571649497805 * (self.u1 + d)));
-            v = s9 - d;
+            let s8 = (self.w4_2 * x2) + (self.w4_3 * x3);
+            let z4 = s8 + (self.w4_4 * (self.u1 + d));
+            let m0f2 = m0 * (m0 - 1.0);
+            let m0f3 = m0f2 * (m0 - 2.0);
+            let s9 = (Self::C_2 * x2) + (Self::C_3 * x3);
+            let s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = (s10 + (s9 + (Self::C_4 * (self.u1 + d)))) - d;
         } else {
             // Deadbeat.
-            let s10 = ((-1776.8479601183408) * x1) - (5.132434542441746 * x2);
-            let s11 = 2.5314283505021953 * (self.u1 + d);
-            v = ((s10 - (6.801905651476086 * x3)) - s11) - d;
+            let s11 = (Self::B_1 * x1) + (Self::B_2 * x2) + (Self::B_3 * x3);
+            v = (s11 + (Self::B_4 * (self.u1 + d))) - d;
         }
         if !(v.is_finite()
             && x1_on.is_finite()
@@ -418,7 +508,7 @@ impl Stage12 {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -436,7 +526,7 @@ impl Stage12 {
         self.d_hat = d;
         self.d_next = d_on;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if elapsed < self.samples {
             Status::Ok

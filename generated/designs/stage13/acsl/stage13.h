@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE13_4E6A348B_H
-#define STAGE13_4E6A348B_H
+#ifndef STAGE13_1BF3376C_H
+#define STAGE13_1BF3376C_H
 
 #include <stdint.h>
 
@@ -79,10 +79,10 @@ typedef struct stage13 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     float deadbeat; /* samples to go at which deadbeat takes over */
-    float w1_1; /* weight of a state in the law */
-    float w1_2; /* weight of a state in the law */
-    float w2_1; /* weight of a state in the law */
-    float w2_2; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
+    float w1_2; /* weight of x2 in the law */
+    float w2_1; /* weight of x1 in the law */
+    float w2_2; /* weight of x2 in the law */
     float u_max; /* bound of |u| */
 } stage13;
 

@@ -32,21 +32,26 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE13_C_1 54.263023f /* weight of x1 in the law */
+#define STAGE13_C_2 4.2855716f /* weight of x2 in the law */
+#define STAGE13_B_1 11626.225f /* weight of x1 in the law */
+#define STAGE13_B_2 1009.77814f /* weight of x2 in the law */
 ptc_status stage13_init(stage13 *self, const stage13_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples)
-            && (0.0f < params->u_max)
+        if ((params->samples > 1U)
+            && (params->u_max > 0.0f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float s1 = (params->k[1] - 1.0f) + 2.0f;
             const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float w1_1 = (-10746.611f) * (-params->k[0]);
             const float w1_2 = (-788.20667f) * (-params->k[0]);
             const float w2_1 = (-412.67474f) * (1.0f - params->k[1]);
@@ -98,19 +103,19 @@ ptc_status stage13_step(const stage13 *self, uint32_t k, const float y[2], float
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const float m0 = (float)left;
             float v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const float z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
                 const float z2 = (self->w2_1 * x1) + (self->w2_2 * x2);
-                const float s1 = (54.263023f * x1) + (4.2855716f * x2);
-                v = (((z1 / m0) + z2) / (m0 - 1.0f)) + s1;
+                const float s1 = (STAGE13_C_1 * x1) + (STAGE13_C_2 * x2);
+                v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0f))) + s1;
             } else {
                 /* Deadbeat. */
-                v = (11626.225f * x1) + (1009.77814f * x2);
+                v = (STAGE13_B_1 * x1) + (STAGE13_B_2 * x2);
             }
             if (PTC_FINITE_F32(v)) {
                 if (elapsed < self->samples) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {

@@ -38,8 +38,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE13_6559DA8C_HPP
-#define STAGE13_6559DA8C_HPP
+#ifndef STAGE13_411B6173_HPP
+#define STAGE13_411B6173_HPP
 
 #include <array>
 #include <cfloat>
@@ -115,18 +115,18 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples)
-                && (0.0f < params.u_max)
+        if (!((params.samples > 1U)
+                && (params.u_max > 0.0f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const float s1 = (params.k[1] - 1.0f) + 2.0f;
         const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-        const float deadbeat = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float w1_1 = (-10746.611f) * (-params.k[0]);
         const float w1_2 = (-788.20667f) * (-params.k[0]);
         const float w2_1 = (-412.67474f) * (1.0f - params.k[1]);
@@ -165,19 +165,19 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const float m0 = static_cast<float>(left);
         float v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const float z1 = (w1_1_ * x1) + (w1_2_ * x2);
             const float z2 = (w2_1_ * x1) + (w2_2_ * x2);
-            const float s1 = (54.263023f * x1) + (4.2855716f * x2);
-            v = (((z1 / m0) + z2) / (m0 - 1.0f)) + s1;
+            const float s1 = (c_1_ * x1) + (c_2_ * x2);
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0f))) + s1;
         } else {
             // Deadbeat.
-            v = (11626.225f * x1) + (1009.77814f * x2);
+            v = (b_1_ * x1) + (b_2_ * x2);
         }
         if (finite(v)) {
             if (elapsed < samples_) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};
@@ -198,14 +198,22 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr float c_1_{54.263023f};
+    /// Weight of x2 in the law.
+    static constexpr float c_2_{4.2855716f};
+    /// Weight of x1 in the law.
+    static constexpr float b_1_{11626.225f};
+    /// Weight of x2 in the law.
+    static constexpr float b_2_{1009.77814f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     float deadbeat_{}; // samples to go at which deadbeat takes over
-    float w1_1_{}; // weight of a state in the law
-    float w1_2_{}; // weight of a state in the law
-    float w2_1_{}; // weight of a state in the law
-    float w2_2_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
+    float w1_2_{}; // weight of x2 in the law
+    float w2_1_{}; // weight of x1 in the law
+    float w2_2_{}; // weight of x2 in the law
     float u_max_{}; // bound of |u|
 };
 

@@ -60,10 +60,10 @@ if numel(params.k) ~= 2
     error('stage13:param', 'params.k has %d numbers; legal: 2', numel(params.k));
 end
 given.deadbeat = single(params.deadbeat);
-if ~(uint32(1) < given.samples)
+if ~(given.samples > uint32(1))
     error('stage13:param', 'params.samples is %g; legal: >= 2', params.samples);
 end
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage13:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -72,13 +72,13 @@ end
 if ~isfinite(given.k(2))
     error('stage13:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
-if ~(isfinite(given.deadbeat) && (single(0.0) <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= single(0.0)))
     error('stage13:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = (given.k(2) - single(1.0)) + single(2.0);
 s2 = pick(s1 < single(4.0), single(4.0), s1);
-deadbeat = pick(single(0.0) < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > single(0.0), given.deadbeat, s2);
 w1_1 = (-single(10746.611328125)) * (-given.k(1));
 w1_2 = (-single(788.2066650390625)) * (-given.k(1));
 w2_1 = (-single(412.67474365234375)) * (single(1.0) - given.k(2));

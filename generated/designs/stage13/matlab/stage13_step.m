@@ -12,6 +12,10 @@ function [u, status] = stage13_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+c_1 = single(54.263023376464844); % weight of x1 in the law
+c_2 = single(4.285571575164795); % weight of x2 in the law
+b_1 = single(11626.224609375); % weight of x1 in the law
+b_2 = single(1009.7781372070313); % weight of x2 in the law
 u = single(0.0);
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -29,19 +33,19 @@ x1 = (single(0.9090909361839294) * y(1)) + (single(0.4545454680919647) * y(2));
 x2 = (single(0.1818181872367859) * y(1)) - (single(0.9090909361839294) * y(2));
 left = self.samples - elapsed;
 m0 = single(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
     z2 = (self.w2_1 * x1) + (self.w2_2 * x2);
-    s1 = (single(54.263023376464844) * x1) + (single(4.285571575164795) * x2);
-    v = (((z1 / m0) + z2) / (m0 - single(1.0))) + s1;
+    s1 = (c_1 * x1) + (c_2 * x2);
+    v = ((z1 + (z2 * m0)) / (m0 * (m0 - single(1.0)))) + s1;
 else
     % Deadbeat.
-    v = (single(11626.224609375) * x1) + (single(1009.7781372070313) * x2);
+    v = (b_1 * x1) + (b_2 * x2);
 end
 if isfinite(v)
     if elapsed < self.samples
-        if self.u_max < v
+        if v > self.u_max
             u = self.u_max;
             status = int32(2);
         elseif v < -self.u_max

@@ -107,6 +107,15 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of x1 in the law.
+_C_1 = _R(_R(54.263023376464844))
+# Weight of x2 in the law.
+_C_2 = _R(_R(4.285571575164795))
+# Weight of x1 in the law.
+_B_1 = _R(_R(11626.224609375))
+# Weight of x2 in the law.
+_B_2 = _R(_R(1009.7781372070313))
+
 class Stage13:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -121,20 +130,20 @@ class Stage13:
             given_u_max = _R(params.u_max)
             given_k = _numbers(params.k, 2, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (1 < given_samples):
+            if not (given_samples > 1):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = (given_k[1] - _R(1.0)) + _R(2.0)
             s2 = max(s1, _R(4.0))
-            deadbeat = given_deadbeat if _R(0.0) < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > _R(0.0) else s2
             w1_1 = (-_R(10746.611328125)) * (-given_k[0])
             w1_2 = (-_R(788.2066650390625)) * (-given_k[0])
             w2_1 = (-_R(412.67474365234375)) * (_R(1.0) - given_k[1])
@@ -177,18 +186,18 @@ class Stage13:
             x2 = (_R(0.1818181872367859) * y[0]) - (_R(0.9090909361839294) * y[1])
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2)
                 z2 = (self._w2_1 * x1) + (self._w2_2 * x2)
-                s1 = (_R(54.263023376464844) * x1) + (_R(4.285571575164795) * x2)
-                v = (((z1 / m0) + z2) / (m0 - _R(1.0))) + s1
+                s1 = (_C_1 * x1) + (_C_2 * x2)
+                v = ((z1 + (z2 * m0)) / (m0 * (m0 - _R(1.0)))) + s1
             else:
                 # Deadbeat.
-                v = (_R(11626.224609375) * x1) + (_R(1009.7781372070313) * x2)
+                v = (_B_1 * x1) + (_B_2 * x2)
             if np.isfinite(v):
                 if elapsed < self._samples:
-                    if self._u_max < v:
+                    if v > self._u_max:
                         return Control(self._u_max, Status.SATURATED)
                     elif v < -self._u_max:
                         return Control(-self._u_max, Status.SATURATED)

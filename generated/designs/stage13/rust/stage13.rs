@@ -136,13 +136,13 @@ pub struct Stage13 {
     samples: u32,
     /// samples to go at which deadbeat takes over.
     deadbeat: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w2_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f32,
     /// bound of |u|.
     u_max: f32,
@@ -157,24 +157,33 @@ pub struct Stage13 {
     clippy::nursery
 )]
 impl Stage13 {
+    /// Weight of x1 in the law.
+    const C_1: f32 = 54.263023;
+    /// Weight of x2 in the law.
+    const C_2: f32 = 4.2855716;
+    /// Weight of x1 in the law.
+    const B_1: f32 = 11626.225;
+    /// Weight of x2 in the law.
+    const B_2: f32 = 1009.77814;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage13Params) -> Result<Self, Error> {
-        if !((1 < params.samples)
-            && (0.0 < params.u_max)
+        if !((params.samples > 1)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = (params.k[1] - 1.0) + 2.0;
         let s2 = if s1 < 4.0 { 4.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -225,19 +234,19 @@ impl Stage13 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f32;
         let v: f32;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
             let z2 = (self.w2_1 * x1) + (self.w2_2 * x2);
-            let s1 = (54.263023 * x1) + (4.2855716 * x2);
-            v = (((z1 / m0) + z2) / (m0 - 1.0)) + s1;
+            let s1 = (Self::C_1 * x1) + (Self::C_2 * x2);
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) + s1;
         } else {
             // Deadbeat.
-            v = (11626.225 * x1) + (1009.77814 * x2);
+            v = (Self::B_1 * x1) + (Self::B_2 * x2);
         }
         let (u, status) = if v.is_finite() {
             if elapsed < self.samples {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)

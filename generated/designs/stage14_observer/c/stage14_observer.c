@@ -33,6 +33,11 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE14_OBSERVER_OBSERVER_SAMPLES 12U /* samples of the round of the observer */
+#define STAGE14_OBSERVER_Q1_1 104.0 /* weight in the observer's gain l1 */
+#define STAGE14_OBSERVER_Q1_2 (-53.0) /* weight in the observer's gain l1 */
+#define STAGE14_OBSERVER_Q1_3 11.0 /* weight in the observer's gain l1 */
 ptc_status stage14_observer_init(stage14_observer *self, const stage14_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -62,8 +67,8 @@ ptc_status stage14_observer_init(stage14_observer *self, const stage14_observer_
                 && PTC_FINITE_F64(e1_3)
                 && PTC_FINITE_F64(e0_2)
                 && PTC_FINITE_F64(e0_3)
-                && (1e-200 <= params->h * params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h * params->h))) {
+                && (params->h * params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->seen = 0U;
                 self->x1_hat = 0.0;
@@ -131,18 +136,17 @@ ptc_status stage14_observer_update(stage14_observer *self, uint32_t k, const dou
                 base = p1;
                 miss = y[0] - p1;
             }
-            const uint32_t left_o = (elapsed < 12U) ? (12U - elapsed) : 0U;
+            const uint32_t left_o = (elapsed < STAGE14_OBSERVER_OBSERVER_SAMPLES) ? (STAGE14_OBSERVER_OBSERVER_SAMPLES - elapsed) : 0U;
             const double o0 = (double)left_o;
             double l1;
             double l2;
             double l3;
-            if (7.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                const double r2 = 1.0 / (o0 - 2.0);
-                l1 = ((((104.0 * r0) - 53.0) * r1) + 11.0) * r2;
-                l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
-                l3 = self->q3_1 * r0 * r1 * r2;
+            if (o0 > 7.0) {
+                const double o0f2 = o0 * (o0 - 1.0);
+                const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+                l1 = (STAGE14_OBSERVER_Q1_1 + (STAGE14_OBSERVER_Q1_2 * o0) + (STAGE14_OBSERVER_Q1_3 * o0f2)) * r0;
+                l2 = (self->q2_1 + (self->q2_2 * o0)) * r0;
+                l3 = self->q3_1 * r0;
             } else if (left_o == 7U) {
                 l1 = 1.0;
                 l2 = self->e0_2;

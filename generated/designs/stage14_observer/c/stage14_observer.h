@@ -36,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE14_OBSERVER_1ABA5088_H
-#define STAGE14_OBSERVER_1ABA5088_H
+#ifndef STAGE14_OBSERVER_6A8E8AA3_H
+#define STAGE14_OBSERVER_6A8E8AA3_H
 
 #include <stdint.h>
 
@@ -75,12 +75,12 @@ typedef struct stage14_observer {
     double x1_hat; /* estimate of x1 */
     double x2_hat; /* estimate of x2 */
     double x3_hat; /* estimate of x3 */
-    double phi1_2; /* prediction from a state */
-    double phi1_3; /* prediction from a state */
+    double phi1_2; /* prediction of x1 from x2 */
+    double phi1_3; /* prediction of x1 from x3 */
     double gamma1; /* prediction from u */
-    double q2_1; /* weight in the observer's gains */
-    double q2_2; /* weight in the observer's gains */
-    double q3_1; /* weight in the observer's gains */
+    double q2_1; /* weight in the observer's gain l2 */
+    double q2_2; /* weight in the observer's gain l2 */
+    double q3_1; /* weight in the observer's gain l3 */
     double e2_2; /* gain of the observer at its end */
     double e2_3; /* gain of the observer at its end */
     double e1_2; /* gain of the observer at its end */

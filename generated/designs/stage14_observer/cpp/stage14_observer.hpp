@@ -35,8 +35,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE14_OBSERVER_4ABC8D01_HPP
-#define STAGE14_OBSERVER_4ABC8D01_HPP
+#ifndef STAGE14_OBSERVER_8D5482C0_HPP
+#define STAGE14_OBSERVER_8D5482C0_HPP
 
 #include <array>
 #include <cfloat>
@@ -135,8 +135,8 @@ public:
                 && finite(e1_3)
                 && finite(e0_2)
                 && finite(e0_3)
-                && (1e-200 <= params.h * params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h * params.h)))) {
+                && (params.h * params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -202,18 +202,17 @@ public:
             base = p1;
             miss = y[0] - p1;
         }
-        const std::uint32_t left_o = (elapsed < 12U) ? (12U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
-        if (7.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((104.0 * r0) - 53.0) * r1) + 11.0) * r2;
-            l2 = ((q2_1_ * r0) + q2_2_) * r1 * r2;
-            l3 = q3_1_ * r0 * r1 * r2;
+        if (o0 > 7.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+            l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+            l3 = q3_1_ * r0;
         } else if (left_o == 7U) {
             l1 = 1.0;
             l2 = e0_2_;
@@ -261,18 +260,26 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{12U};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{104.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-53.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{11.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t seen_{}; // 1 once y has been measured
     double x1_hat_{}; // estimate of x1
     double x2_hat_{}; // estimate of x2
     double x3_hat_{}; // estimate of x3
-    double phi1_2_{}; // prediction from a state
-    double phi1_3_{}; // prediction from a state
+    double phi1_2_{}; // prediction of x1 from x2
+    double phi1_3_{}; // prediction of x1 from x3
     double gamma1_{}; // prediction from u
-    double q2_1_{}; // weight in the observer's gains
-    double q2_2_{}; // weight in the observer's gains
-    double q3_1_{}; // weight in the observer's gains
+    double q2_1_{}; // weight in the observer's gain l2
+    double q2_2_{}; // weight in the observer's gain l2
+    double q3_1_{}; // weight in the observer's gain l3
     double e2_2_{}; // gain of the observer at its end
     double e2_3_{}; // gain of the observer at its end
     double e1_2_{}; // gain of the observer at its end

@@ -14,6 +14,10 @@ function [status, self] = stage14_observer_update(self, k, y, u) %#codegen
 %     -2  an argument is not finite, or a tick is not whole
 %     -3  an estimate is not finite
 
+observer_samples = uint32(12); % samples of the round of the observer
+q1_1 = 104.0; % weight in the observer's gain l1
+q1_2 = -53.0; % weight in the observer's gain l1
+q1_3 = 11.0; % weight in the observer's gain l1
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
     status = int32(-2);
@@ -43,15 +47,14 @@ else
     base = p1;
     miss = y(1) - p1;
 end
-left_o = uint32(12) - elapsed;
+left_o = observer_samples - elapsed;
 o0 = double(left_o);
-if 7.0 < o0
-    r0 = 1.0 / o0;
-    r1 = 1.0 / (o0 - 1.0);
-    r2 = 1.0 / (o0 - 2.0);
-    l1 = ((((104.0 * r0) - 53.0) * r1) + 11.0) * r2;
-    l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-    l3 = self.q3_1 * r0 * r1 * r2;
+if o0 > 7.0
+    o0f2 = o0 * (o0 - 1.0);
+    r0 = 1.0 / (o0f2 * (o0 - 2.0));
+    l1 = (q1_1 + (q1_2 * o0) + (q1_3 * o0f2)) * r0;
+    l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+    l3 = self.q3_1 * r0;
 elseif left_o == uint32(7)
     l1 = 1.0;
     l2 = self.e0_2;

@@ -88,6 +88,15 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 12
+# Weight in the observer's gain l1.
+_Q1_1 = _R(104.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-53.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(11.0)
+
 class Stage14Observer:
     """The observer. Takes the parameters and arms at tick 0.
 
@@ -123,8 +132,8 @@ class Stage14Observer:
                 and np.isfinite(e1_3)
                 and np.isfinite(e0_2)
                 and np.isfinite(e0_3)
-                and (1e-200 <= given_h * given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h * given_h))
+                and (given_h * given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -190,15 +199,14 @@ class Stage14Observer:
             else:
                 base = p1
                 miss = y[0] - p1
-            left_o = max(12 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if 7.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                l1 = ((((104.0 * r0) - 53.0) * r1) + 11.0) * r2
-                l2 = ((self._q2_1 * r0) + self._q2_2) * r1 * r2
-                l3 = self._q3_1 * r0 * r1 * r2
+            if o0 > 7.0:
+                o0f2 = o0 * (o0 - 1.0)
+                r0 = 1.0 / (o0f2 * (o0 - 2.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l2 = (self._q2_1 + (self._q2_2 * o0)) * r0
+                l3 = self._q3_1 * r0
             elif left_o == 7:
                 l1 = _R(1.0)
                 l2 = self._e0_2

@@ -131,17 +131,17 @@ pub struct Stage14Observer {
     x2_hat: f64,
     /// estimate of x3.
     x3_hat: f64,
-    /// prediction from a state.
+    /// prediction of x1 from x2.
     phi1_2: f64,
-    /// prediction from a state.
+    /// prediction of x1 from x3.
     phi1_3: f64,
     /// prediction from u.
     gamma1: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_2: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l3.
     q3_1: f64,
     /// gain of the observer at its end.
     e2_2: f64,
@@ -166,6 +166,15 @@ pub struct Stage14Observer {
     clippy::nursery
 )]
 impl Stage14Observer {
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 12;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 104.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -53.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 11.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -197,8 +206,8 @@ impl Stage14Observer {
             && e1_3.is_finite()
             && e0_2.is_finite()
             && e0_3.is_finite()
-            && (1e-200 <= params.h * params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h * params.h)))
+            && (params.h * params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -269,18 +278,17 @@ impl Stage14Observer {
             base = p1;
             miss = y[0] - p1;
         }
-        let left_o = 12_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        if 7.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((104.0 * r0) - 53.0) * r1) + 11.0) * r2;
-            l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-            l3 = self.q3_1 * r0 * r1 * r2;
+        if o0 > 7.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+            l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+            l3 = self.q3_1 * r0;
         } else if left_o == 7 {
             l1 = 1.0;
             l2 = self.e0_2;

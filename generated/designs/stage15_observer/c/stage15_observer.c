@@ -33,6 +33,11 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE15_OBSERVER_OBSERVER_SAMPLES 9U /* samples of the round of the observer */
+#define STAGE15_OBSERVER_Q1_1 35.555557f /* 320/9, weight in the observer's gain l1 */
+#define STAGE15_OBSERVER_Q1_2 (-23.88889f) /* -215/9, weight in the observer's gain l1 */
+#define STAGE15_OBSERVER_Q1_3 7.0f /* weight in the observer's gain l1 */
 ptc_status stage15_observer_init(stage15_observer *self, const stage15_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -58,9 +63,9 @@ ptc_status stage15_observer_init(stage15_observer *self, const stage15_observer_
                 && PTC_FINITE_F32(q2_1)
                 && PTC_FINITE_F32(q2_2)
                 && PTC_FINITE_F32(q3_1)
-                && (1e-30f <= params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h))
-                && (3.0f <= hold_o)) {
+                && (params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h) >= 1e-30f)
+                && (hold_o >= 3.0f)) {
                 self->start = 0U;
                 self->u1 = 0.0f;
                 self->u2 = 0.0f;
@@ -131,17 +136,16 @@ ptc_status stage15_observer_update(stage15_observer *self, uint32_t k, const flo
                 base = p1;
                 miss = y[0] - p1;
             }
-            const uint32_t left_o = (elapsed < 9U) ? (9U - elapsed) : 0U;
+            const uint32_t left_o = (elapsed < STAGE15_OBSERVER_OBSERVER_SAMPLES) ? (STAGE15_OBSERVER_OBSERVER_SAMPLES - elapsed) : 0U;
             const float o0 = ((float)left_o < self->hold_o) ? self->hold_o : (float)left_o;
             float l1;
             float l2;
             float l3;
-            const float r0 = 1.0f / o0;
-            const float r1 = 1.0f / (o0 - 1.0f);
-            const float r2 = 1.0f / (o0 - 2.0f);
-            l1 = ((((35.555557f * r0) - 23.88889f) * r1) + 7.0f) * r2;
-            l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
-            l3 = self->q3_1 * r0 * r1 * r2;
+            const float o0f2 = o0 * (o0 - 1.0f);
+            const float r0 = 1.0f / (o0f2 * (o0 - 2.0f));
+            l1 = (STAGE15_OBSERVER_Q1_1 + (STAGE15_OBSERVER_Q1_2 * o0) + (STAGE15_OBSERVER_Q1_3 * o0f2)) * r0;
+            l2 = (self->q2_1 + (self->q2_2 * o0)) * r0;
+            l3 = self->q3_1 * r0;
             const float x1 = base + (l1 * miss);
             const float x2 = p2 + (l2 * miss);
             const float d = p3 + (l3 * miss);

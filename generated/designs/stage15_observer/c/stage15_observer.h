@@ -38,8 +38,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE15_OBSERVER_F21E1E6D_H
-#define STAGE15_OBSERVER_F21E1E6D_H
+#ifndef STAGE15_OBSERVER_9EFC61B0_H
+#define STAGE15_OBSERVER_9EFC61B0_H
 
 #include <stdint.h>
 
@@ -79,16 +79,16 @@ typedef struct stage15_observer {
     float x1_hat; /* estimate of x1 */
     float x2_hat; /* estimate of x2 */
     float d_hat; /* estimate of d */
-    float phi1_2; /* prediction from a state */
-    float phi1_3; /* prediction from a state */
+    float phi1_2; /* prediction of x1 from x2 */
+    float phi1_3; /* prediction of x1 from d */
     float gamma1; /* prediction from u */
     float late_gamma1; /* prediction from u */
-    float phi2_3; /* prediction from a state */
+    float phi2_3; /* prediction of x2 from d */
     float gamma2; /* prediction from u */
     float hold_o; /* samples to go at which the observer is held */
-    float q2_1; /* weight in the observer's gains */
-    float q2_2; /* weight in the observer's gains */
-    float q3_1; /* weight in the observer's gains */
+    float q2_1; /* weight in the observer's gain l2 */
+    float q2_2; /* weight in the observer's gain l2 */
+    float q3_1; /* weight in the observer's gain l3 */
 } stage15_observer;
 
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */

@@ -37,8 +37,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE15_OBSERVER_6FDA4D92_HPP
-#define STAGE15_OBSERVER_6FDA4D92_HPP
+#ifndef STAGE15_OBSERVER_7D9051D3_HPP
+#define STAGE15_OBSERVER_7D9051D3_HPP
 
 #include <array>
 #include <cfloat>
@@ -133,9 +133,9 @@ public:
                 && finite(q2_1)
                 && finite(q2_2)
                 && finite(q3_1)
-                && (1e-30f <= params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h))
-                && (3.0f <= hold_o))) {
+                && (params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h) >= 1e-30f)
+                && (hold_o >= 3.0f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -204,17 +204,16 @@ public:
             base = p1;
             miss = y[0] - p1;
         }
-        const std::uint32_t left_o = (elapsed < 9U) ? (9U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const float o0 = (static_cast<float>(left_o) < hold_o_) ? hold_o_ : static_cast<float>(left_o);
         float l1{};
         float l2{};
         float l3{};
-        const float r0 = 1.0f / o0;
-        const float r1 = 1.0f / (o0 - 1.0f);
-        const float r2 = 1.0f / (o0 - 2.0f);
-        l1 = ((((35.555557f * r0) - 23.88889f) * r1) + 7.0f) * r2;
-        l2 = ((q2_1_ * r0) + q2_2_) * r1 * r2;
-        l3 = q3_1_ * r0 * r1 * r2;
+        const float o0f2 = o0 * (o0 - 1.0f);
+        const float r0 = 1.0f / (o0f2 * (o0 - 2.0f));
+        l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+        l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+        l3 = q3_1_ * r0;
         const float x1 = base + (l1 * miss);
         const float x2 = p2 + (l2 * miss);
         const float d = p3 + (l3 * miss);
@@ -257,6 +256,14 @@ private:
     {
         return (v > 0.0f) ? v : (0.0f - v);
     }
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{9U};
+    /// 320/9, weight in the observer's gain l1.
+    static constexpr float q1_1_{35.555557f};
+    /// -215/9, weight in the observer's gain l1.
+    static constexpr float q1_2_{-23.88889f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_3_{7.0f};
 
     std::uint32_t start_{}; // tick at which it was armed
     float u1_{}; // input of 2 samples ago
@@ -265,16 +272,16 @@ private:
     float x1_hat_{}; // estimate of x1
     float x2_hat_{}; // estimate of x2
     float d_hat_{}; // estimate of d
-    float phi1_2_{}; // prediction from a state
-    float phi1_3_{}; // prediction from a state
+    float phi1_2_{}; // prediction of x1 from x2
+    float phi1_3_{}; // prediction of x1 from d
     float gamma1_{}; // prediction from u
     float late_gamma1_{}; // prediction from u
-    float phi2_3_{}; // prediction from a state
+    float phi2_3_{}; // prediction of x2 from d
     float gamma2_{}; // prediction from u
     float hold_o_{}; // samples to go at which the observer is held
-    float q2_1_{}; // weight in the observer's gains
-    float q2_2_{}; // weight in the observer's gains
-    float q3_1_{}; // weight in the observer's gains
+    float q2_1_{}; // weight in the observer's gain l2
+    float q2_2_{}; // weight in the observer's gain l2
+    float q3_1_{}; // weight in the observer's gain l3
 };
 
 } // namespace ptc

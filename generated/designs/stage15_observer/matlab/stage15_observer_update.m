@@ -14,6 +14,10 @@ function [status, self] = stage15_observer_update(self, k, y, u) %#codegen
 %     -2  an argument is not finite, or a tick is not whole
 %     -3  an estimate is not finite
 
+observer_samples = uint32(9); % samples of the round of the observer
+q1_1 = single(35.55555725097656); % 320/9, weight in the observer's gain l1
+q1_2 = -single(23.88888931274414); % -215/9, weight in the observer's gain l1
+q1_3 = single(7.0); % weight in the observer's gain l1
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
     status = int32(-2);
@@ -46,14 +50,13 @@ else
     base = p1;
     miss = y(1) - p1;
 end
-left_o = uint32(9) - elapsed;
+left_o = observer_samples - elapsed;
 o0 = pick(single(left_o) < self.hold_o, self.hold_o, single(left_o));
-r0 = single(1.0) / o0;
-r1 = single(1.0) / (o0 - single(1.0));
-r2 = single(1.0) / (o0 - single(2.0));
-l1 = ((((single(35.55555725097656) * r0) - single(23.88888931274414)) * r1) + single(7.0)) * r2;
-l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-l3 = self.q3_1 * r0 * r1 * r2;
+o0f2 = o0 * (o0 - single(1.0));
+r0 = single(1.0) / (o0f2 * (o0 - single(2.0)));
+l1 = (q1_1 + (q1_2 * o0) + (q1_3 * o0f2)) * r0;
+l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+l3 = self.q3_1 * r0;
 x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 d = p3 + (l3 * miss);

@@ -90,6 +90,15 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 9
+# 320/9, weight in the observer's gain l1.
+_Q1_1 = _R(_R(35.55555725097656))
+# -215/9, weight in the observer's gain l1.
+_Q1_2 = _R(-_R(23.88888931274414))
+# Weight in the observer's gain l1.
+_Q1_3 = _R(_R(7.0))
+
 class Stage15Observer:
     """The observer. Takes the parameters and arms at tick 0.
 
@@ -121,9 +130,9 @@ class Stage15Observer:
                 and np.isfinite(q2_1)
                 and np.isfinite(q2_2)
                 and np.isfinite(q3_1)
-                and (_R(1.0000000031710769e-30) <= given_h * given_h)
-                and (_R(1.0000000031710769e-30) <= _R(1.0) / (given_h * given_h))
-                and (_R(3.0) <= hold_o)
+                and (given_h * given_h >= _R(1.0000000031710769e-30))
+                and (_R(1.0) / (given_h * given_h) >= _R(1.0000000031710769e-30))
+                and (hold_o >= _R(3.0))
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -192,14 +201,13 @@ class Stage15Observer:
             else:
                 base = p1
                 miss = y[0] - p1
-            left_o = max(9 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = max(_R(left_o), self._hold_o)
-            r0 = _R(1.0) / o0
-            r1 = _R(1.0) / (o0 - _R(1.0))
-            r2 = _R(1.0) / (o0 - _R(2.0))
-            l1 = ((((_R(35.55555725097656) * r0) - _R(23.88888931274414)) * r1) + _R(7.0)) * r2
-            l2 = ((self._q2_1 * r0) + self._q2_2) * r1 * r2
-            l3 = self._q3_1 * r0 * r1 * r2
+            o0f2 = o0 * (o0 - _R(1.0))
+            r0 = _R(1.0) / (o0f2 * (o0 - _R(2.0)))
+            l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+            l2 = (self._q2_1 + (self._q2_2 * o0)) * r0
+            l3 = self._q3_1 * r0
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             d = p3 + (l3 * miss)

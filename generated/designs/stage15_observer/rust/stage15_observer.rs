@@ -137,25 +137,25 @@ pub struct Stage15Observer {
     x2_hat: f32,
     /// estimate of d.
     d_hat: f32,
-    /// prediction from a state.
+    /// prediction of x1 from x2.
     phi1_2: f32,
-    /// prediction from a state.
+    /// prediction of x1 from d.
     phi1_3: f32,
     /// prediction from u.
     gamma1: f32,
     /// prediction from u.
     late_gamma1: f32,
-    /// prediction from a state.
+    /// prediction of x2 from d.
     phi2_3: f32,
     /// prediction from u.
     gamma2: f32,
     /// samples to go at which the observer is held.
     hold_o: f32,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f32,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_2: f32,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l3.
     q3_1: f32,
 }
 
@@ -168,6 +168,15 @@ pub struct Stage15Observer {
     clippy::nursery
 )]
 impl Stage15Observer {
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 9;
+    /// 320/9, weight in the observer's gain l1.
+    const Q1_1: f32 = 35.555557;
+    /// -215/9, weight in the observer's gain l1.
+    const Q1_2: f32 = -23.88889;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f32 = 7.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -195,9 +204,9 @@ impl Stage15Observer {
             && q2_1.is_finite()
             && q2_2.is_finite()
             && q3_1.is_finite()
-            && (1e-30 <= params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h))
-            && (3.0 <= hold_o))
+            && (params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h) >= 1e-30)
+            && (hold_o >= 3.0))
         {
             return Err(Error::Param);
         }
@@ -271,7 +280,7 @@ impl Stage15Observer {
             base = p1;
             miss = y[0] - p1;
         }
-        let left_o = 9_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = if (left_o as f32) < self.hold_o {
             self.hold_o
         } else {
@@ -280,12 +289,11 @@ impl Stage15Observer {
         let l1: f32;
         let l2: f32;
         let l3: f32;
-        let r0 = 1.0 / o0;
-        let r1 = 1.0 / (o0 - 1.0);
-        let r2 = 1.0 / (o0 - 2.0);
-        l1 = ((((35.555557 * r0) - 23.88889) * r1) + 7.0) * r2;
-        l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-        l3 = self.q3_1 * r0 * r1 * r2;
+        let o0f2 = o0 * (o0 - 1.0);
+        let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+        l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+        l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+        l3 = self.q3_1 * r0;
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
         let d = p3 + (l3 * miss);

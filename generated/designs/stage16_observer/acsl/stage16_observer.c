@@ -33,6 +33,45 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE16_OBSERVER_GAMMA1 0.00010816330676811052 /* prediction from u */
+#define STAGE16_OBSERVER_GAMMA2 0.30941358230147875 /* prediction from u */
+#define STAGE16_OBSERVER_GAMMA3 0.37459048481653323 /* prediction from u */
+#define STAGE16_OBSERVER_OBSERVER_SAMPLES 20U /* samples of the round of the observer */
+#define STAGE16_OBSERVER_Q1_1_1 (-8.0) /* weight in the observer's gain l1_1 */
+#define STAGE16_OBSERVER_Q1_1_2 8.0 /* weight in the observer's gain l1_1 */
+#define STAGE16_OBSERVER_Q1_2_1 12007.013438558752 /* weight in the observer's gain l1_2 */
+#define STAGE16_OBSERVER_Q1_2_2 (-4.007472019404232) /* weight in the observer's gain l1_2 */
+#define STAGE16_OBSERVER_Q1_4_1 359.9910335767149 /* weight in the observer's gain l1_4 */
+#define STAGE16_OBSERVER_Q2_2_1 (-18.578489051610646) /* weight in the observer's gain l2_2 */
+#define STAGE16_OBSERVER_Q2_2_2 9.913794744612098 /* weight in the observer's gain l2_2 */
+#define STAGE16_OBSERVER_Q2_3_1 (-12.0) /* weight in the observer's gain l2_3 */
+#define STAGE16_OBSERVER_Q2_3_2 12.0 /* weight in the observer's gain l2_3 */
+#define STAGE16_OBSERVER_Q2_4_1 79.8275894892242 /* weight in the observer's gain l2_4 */
+#define STAGE16_OBSERVER_E0_1_1 0.9995008164815138 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E0_1_2 (-0.4960345371406728) /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E0_1_3 0.005627803367048088 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E0_2_1 0.0014420897963740578 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E0_2_2 2.2101945239792857 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E0_2_3 1.0319275340206813 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E0_2_4 1.3304598248204031 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_1_1 1.9995008164815138 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_1_2 999.2535286720462 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_1_3 0.005627803367048088 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_1_4 29.999252798059576 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_2_1 0.0014420897963740578 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_2_2 2.4788577332214805 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_2_3 1.5319275340206813 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_E1_2_4 2.6609196496408063 /* gain of the observer at its end */
+#define STAGE16_OBSERVER_PHI1_2 0.000996505559752715 /* prediction of x1 from x2 */
+#define STAGE16_OBSERVER_PHI1_3 0.0006188271646029575 /* prediction of x1 from x3 */
+#define STAGE16_OBSERVER_PHI1_4 0.00010816330676811052 /* prediction of x1 from d */
+#define STAGE16_OBSERVER_PHI2_2 0.9902193397510792 /* prediction of x2 from x2 */
+#define STAGE16_OBSERVER_PHI2_3 1.1234620408672982 /* prediction of x2 from x3 */
+#define STAGE16_OBSERVER_PHI2_4 0.30941358230147875 /* prediction of x2 from d */
+#define STAGE16_OBSERVER_PHI3_2 (-0.011234620408672982) /* prediction of x3 from x2 */
+#define STAGE16_OBSERVER_PHI3_3 0.5412090107511158 /* prediction of x3 from x3 */
+#define STAGE16_OBSERVER_PHI3_4 0.37459048481653323 /* prediction of x3 from d */
 ptc_status stage16_observer_init(stage16_observer *self, const stage16_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -98,9 +137,9 @@ ptc_status stage16_observer_update(stage16_observer *self, uint32_t k, const dou
                 x3 = y[1];
                 d = 0.0;
             } else {
-                x1 = self->x1_next + (0.00010816330676811052 * self->u1);
-                x2 = self->x2_next + (0.30941358230147875 * self->u1);
-                x3 = self->x3_next + (0.37459048481653323 * self->u1);
+                x1 = self->x1_next + (STAGE16_OBSERVER_GAMMA1 * self->u1);
+                x2 = self->x2_next + (STAGE16_OBSERVER_GAMMA2 * self->u1);
+                x3 = self->x3_next + (STAGE16_OBSERVER_GAMMA3 * self->u1);
                 d = self->d_next;
             }
 
@@ -109,7 +148,7 @@ ptc_status stage16_observer_update(stage16_observer *self, uint32_t k, const dou
             const double miss2 = y[1] - x3;
             const double off1 = miss1;
             const double off2 = miss2;
-            const uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+            const uint32_t left_o = (elapsed < STAGE16_OBSERVER_OBSERVER_SAMPLES) ? (STAGE16_OBSERVER_OBSERVER_SAMPLES - elapsed) : 0U;
             const double o0 = (double)left_o;
             double l1_1;
             double l1_2;
@@ -128,44 +167,45 @@ ptc_status stage16_observer_update(stage16_observer *self, uint32_t k, const dou
                 l2_2 = 1.2843129003368876;
                 l2_3 = -0.2598303207324358;
                 l2_4 = 0.028634005234458536;
-            } else if (8.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
-                const double s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
-                l1_2 = s1 + 0.004899465284856127;
+            } else if (o0 > 8.0) {
+                const double r0 = 1.0 / (o0 * (o0 - 1.0));
+                const double s1 = (STAGE16_OBSERVER_Q1_1_1 + (STAGE16_OBSERVER_Q1_1_2 * o0)) * r0;
+                l1_1 = s1 - 0.0004991835184862197;
+                const double s2 = (STAGE16_OBSERVER_Q1_2_1 + (STAGE16_OBSERVER_Q1_2_2 * o0)) * r0;
+                l1_2 = s2 + 0.004899465284856127;
                 l1_3 = 0.005627803367048088;
-                l1_4 = 359.9910335767149 * r0 * r1;
+                l1_4 = STAGE16_OBSERVER_Q1_4_1 * r0;
                 l2_1 = 0.0014420897963740578;
-                const double s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
-                l2_2 = s2 + 1.1153817526860825;
-                l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
-                l2_4 = 79.8275894892242 * r0 * r1;
+                const double s3 = (STAGE16_OBSERVER_Q2_2_1 + (STAGE16_OBSERVER_Q2_2_2 * o0)) * r0;
+                l2_2 = s3 + 1.1153817526860825;
+                const double s4 = (STAGE16_OBSERVER_Q2_3_1 + (STAGE16_OBSERVER_Q2_3_2 * o0)) * r0;
+                l2_3 = s4 - 0.46807246597931873;
+                l2_4 = STAGE16_OBSERVER_Q2_4_1 * r0;
             } else if (left_o == 8U) {
-                l1_1 = 0.9995008164815138;
-                l1_2 = -0.4960345371406728;
-                l1_3 = 0.005627803367048088;
+                l1_1 = STAGE16_OBSERVER_E0_1_1;
+                l1_2 = STAGE16_OBSERVER_E0_1_2;
+                l1_3 = STAGE16_OBSERVER_E0_1_3;
                 l1_4 = 0.0;
-                l2_1 = 0.0014420897963740578;
-                l2_2 = 2.2101945239792857;
-                l2_3 = 1.0319275340206813;
-                l2_4 = 1.3304598248204031;
+                l2_1 = STAGE16_OBSERVER_E0_2_1;
+                l2_2 = STAGE16_OBSERVER_E0_2_2;
+                l2_3 = STAGE16_OBSERVER_E0_2_3;
+                l2_4 = STAGE16_OBSERVER_E0_2_4;
             } else {
-                l1_1 = 1.9995008164815138;
-                l1_2 = 999.2535286720462;
-                l1_3 = 0.005627803367048088;
-                l1_4 = 29.999252798059576;
-                l2_1 = 0.0014420897963740578;
-                l2_2 = 2.4788577332214805;
-                l2_3 = 1.5319275340206813;
-                l2_4 = 2.6609196496408063;
+                l1_1 = STAGE16_OBSERVER_E1_1_1;
+                l1_2 = STAGE16_OBSERVER_E1_1_2;
+                l1_3 = STAGE16_OBSERVER_E1_1_3;
+                l1_4 = STAGE16_OBSERVER_E1_1_4;
+                l2_1 = STAGE16_OBSERVER_E1_2_1;
+                l2_2 = STAGE16_OBSERVER_E1_2_2;
+                l2_3 = STAGE16_OBSERVER_E1_2_3;
+                l2_4 = STAGE16_OBSERVER_E1_2_4;
             }
-            const double s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-            const double x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
-            const double s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-            const double x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
-            const double s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-            const double x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+            const double s5 = x1 + (STAGE16_OBSERVER_PHI1_2 * x2) + (STAGE16_OBSERVER_PHI1_3 * x3);
+            const double x1_on = s5 + (STAGE16_OBSERVER_PHI1_4 * d) + (l1_1 * off1) + (l2_1 * off2);
+            const double s6 = (STAGE16_OBSERVER_PHI2_2 * x2) + (STAGE16_OBSERVER_PHI2_3 * x3);
+            const double x2_on = s6 + (STAGE16_OBSERVER_PHI2_4 * d) + (l1_2 * off1) + (l2_2 * off2);
+            const double s7 = (STAGE16_OBSERVER_PHI3_2 * x2) + (STAGE16_OBSERVER_PHI3_3 * x3);
+            const double x3_on = s7 + (STAGE16_OBSERVER_PHI3_4 * d) + (l1_3 * off1) + (l2_3 * off2);
             const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(x1)

@@ -86,6 +86,83 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(0.00010816330676811052)
+# Prediction from u.
+_GAMMA2 = _R(0.30941358230147875)
+# Prediction from u.
+_GAMMA3 = _R(0.37459048481653323)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 20
+# Weight in the observer's gain l1_1.
+_Q1_1_1 = _R(-8.0)
+# Weight in the observer's gain l1_1.
+_Q1_1_2 = _R(8.0)
+# Weight in the observer's gain l1_2.
+_Q1_2_1 = _R(12007.013438558752)
+# Weight in the observer's gain l1_2.
+_Q1_2_2 = _R(-4.007472019404232)
+# Weight in the observer's gain l1_4.
+_Q1_4_1 = _R(359.9910335767149)
+# Weight in the observer's gain l2_2.
+_Q2_2_1 = _R(-18.578489051610646)
+# Weight in the observer's gain l2_2.
+_Q2_2_2 = _R(9.913794744612098)
+# Weight in the observer's gain l2_3.
+_Q2_3_1 = _R(-12.0)
+# Weight in the observer's gain l2_3.
+_Q2_3_2 = _R(12.0)
+# Weight in the observer's gain l2_4.
+_Q2_4_1 = _R(79.8275894892242)
+# Gain of the observer at its end.
+_E0_1_1 = _R(0.9995008164815138)
+# Gain of the observer at its end.
+_E0_1_2 = _R(-0.4960345371406728)
+# Gain of the observer at its end.
+_E0_1_3 = _R(0.005627803367048088)
+# Gain of the observer at its end.
+_E0_2_1 = _R(0.0014420897963740578)
+# Gain of the observer at its end.
+_E0_2_2 = _R(2.2101945239792857)
+# Gain of the observer at its end.
+_E0_2_3 = _R(1.0319275340206813)
+# Gain of the observer at its end.
+_E0_2_4 = _R(1.3304598248204031)
+# Gain of the observer at its end.
+_E1_1_1 = _R(1.9995008164815138)
+# Gain of the observer at its end.
+_E1_1_2 = _R(999.2535286720462)
+# Gain of the observer at its end.
+_E1_1_3 = _R(0.005627803367048088)
+# Gain of the observer at its end.
+_E1_1_4 = _R(29.999252798059576)
+# Gain of the observer at its end.
+_E1_2_1 = _R(0.0014420897963740578)
+# Gain of the observer at its end.
+_E1_2_2 = _R(2.4788577332214805)
+# Gain of the observer at its end.
+_E1_2_3 = _R(1.5319275340206813)
+# Gain of the observer at its end.
+_E1_2_4 = _R(2.6609196496408063)
+# Prediction of x1 from x2.
+_PHI1_2 = _R(0.000996505559752715)
+# Prediction of x1 from x3.
+_PHI1_3 = _R(0.0006188271646029575)
+# Prediction of x1 from d.
+_PHI1_4 = _R(0.00010816330676811052)
+# Prediction of x2 from x2.
+_PHI2_2 = _R(0.9902193397510792)
+# Prediction of x2 from x3.
+_PHI2_3 = _R(1.1234620408672982)
+# Prediction of x2 from d.
+_PHI2_4 = _R(0.30941358230147875)
+# Prediction of x3 from x2.
+_PHI3_2 = _R(-0.011234620408672982)
+# Prediction of x3 from x3.
+_PHI3_3 = _R(0.5412090107511158)
+# Prediction of x3 from d.
+_PHI3_4 = _R(0.37459048481653323)
+
 class Stage16Observer:
     """The observer. Takes the parameters and arms at tick 0.
 
@@ -150,9 +227,9 @@ class Stage16Observer:
                 x3 = y[1]
                 d = _R(0.0)
             else:
-                x1 = self._x1_next + (0.00010816330676811052 * self._u1)
-                x2 = self._x2_next + (0.30941358230147875 * self._u1)
-                x3 = self._x3_next + (0.37459048481653323 * self._u1)
+                x1 = self._x1_next + (_GAMMA1 * self._u1)
+                x2 = self._x2_next + (_GAMMA2 * self._u1)
+                x3 = self._x3_next + (_GAMMA3 * self._u1)
                 d = self._d_next
 
             # Prediction of the next sample.
@@ -160,7 +237,7 @@ class Stage16Observer:
             miss2 = y[1] - x3
             off1 = miss1
             off2 = miss2
-            left_o = max(20 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
             if left_o == 0:
                 l1_1 = _R(0.17200400622757925)
@@ -171,43 +248,44 @@ class Stage16Observer:
                 l2_2 = _R(1.2843129003368876)
                 l2_3 = _R(-0.2598303207324358)
                 l2_4 = _R(0.028634005234458536)
-            elif 8.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197
-                s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1
-                l1_2 = s1 + 0.004899465284856127
+            elif o0 > 8.0:
+                r0 = 1.0 / (o0 * (o0 - 1.0))
+                s1 = (_Q1_1_1 + (_Q1_1_2 * o0)) * r0
+                l1_1 = s1 - 0.0004991835184862197
+                s2 = (_Q1_2_1 + (_Q1_2_2 * o0)) * r0
+                l1_2 = s2 + 0.004899465284856127
                 l1_3 = _R(0.005627803367048088)
-                l1_4 = 359.9910335767149 * r0 * r1
+                l1_4 = _Q1_4_1 * r0
                 l2_1 = _R(0.0014420897963740578)
-                s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1
-                l2_2 = s2 + 1.1153817526860825
-                l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873
-                l2_4 = 79.8275894892242 * r0 * r1
+                s3 = (_Q2_2_1 + (_Q2_2_2 * o0)) * r0
+                l2_2 = s3 + 1.1153817526860825
+                s4 = (_Q2_3_1 + (_Q2_3_2 * o0)) * r0
+                l2_3 = s4 - 0.46807246597931873
+                l2_4 = _Q2_4_1 * r0
             elif left_o == 8:
-                l1_1 = _R(0.9995008164815138)
-                l1_2 = _R(-0.4960345371406728)
-                l1_3 = _R(0.005627803367048088)
+                l1_1 = _E0_1_1
+                l1_2 = _E0_1_2
+                l1_3 = _E0_1_3
                 l1_4 = _R(0.0)
-                l2_1 = _R(0.0014420897963740578)
-                l2_2 = _R(2.2101945239792857)
-                l2_3 = _R(1.0319275340206813)
-                l2_4 = _R(1.3304598248204031)
+                l2_1 = _E0_2_1
+                l2_2 = _E0_2_2
+                l2_3 = _E0_2_3
+                l2_4 = _E0_2_4
             else:
-                l1_1 = _R(1.9995008164815138)
-                l1_2 = _R(999.2535286720462)
-                l1_3 = _R(0.005627803367048088)
-                l1_4 = _R(29.999252798059576)
-                l2_1 = _R(0.0014420897963740578)
-                l2_2 = _R(2.4788577332214805)
-                l2_3 = _R(1.5319275340206813)
-                l2_4 = _R(2.6609196496408063)
-            s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3)
-            x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2)
-            s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3)
-            x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2)
-            s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3)
-            x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2)
+                l1_1 = _E1_1_1
+                l1_2 = _E1_1_2
+                l1_3 = _E1_1_3
+                l1_4 = _E1_1_4
+                l2_1 = _E1_2_1
+                l2_2 = _E1_2_2
+                l2_3 = _E1_2_3
+                l2_4 = _E1_2_4
+            s5 = x1 + (_PHI1_2 * x2) + (_PHI1_3 * x3)
+            x1_on = s5 + (_PHI1_4 * d) + (l1_1 * off1) + (l2_1 * off2)
+            s6 = (_PHI2_2 * x2) + (_PHI2_3 * x3)
+            x2_on = s6 + (_PHI2_4 * d) + (l1_2 * off1) + (l2_2 * off2)
+            s7 = (_PHI3_2 * x2) + (_PHI3_3 * x3)
+            x3_on = s7 + (_PHI3_4 * d) + (l1_3 * off1) + (l2_3 * off2)
             d_on = d + (l1_4 * off1) + (l2_4 * off2)
             if not (
                 np.isfinite(x1)

@@ -152,6 +152,83 @@ pub struct Stage16Observer {
     clippy::nursery
 )]
 impl Stage16Observer {
+    /// Prediction from u.
+    const GAMMA1: f64 = 0.00010816330676811052;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.30941358230147875;
+    /// Prediction from u.
+    const GAMMA3: f64 = 0.37459048481653323;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 20;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_1: f64 = -8.0;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_2: f64 = 8.0;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_1: f64 = 12007.013438558752;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_2: f64 = -4.007472019404232;
+    /// Weight in the observer's gain l1_4.
+    const Q1_4_1: f64 = 359.9910335767149;
+    /// Weight in the observer's gain l2_2.
+    const Q2_2_1: f64 = -18.578489051610646;
+    /// Weight in the observer's gain l2_2.
+    const Q2_2_2: f64 = 9.913794744612098;
+    /// Weight in the observer's gain l2_3.
+    const Q2_3_1: f64 = -12.0;
+    /// Weight in the observer's gain l2_3.
+    const Q2_3_2: f64 = 12.0;
+    /// Weight in the observer's gain l2_4.
+    const Q2_4_1: f64 = 79.8275894892242;
+    /// Gain of the observer at its end.
+    const E0_1_1: f64 = 0.9995008164815138;
+    /// Gain of the observer at its end.
+    const E0_1_2: f64 = -0.4960345371406728;
+    /// Gain of the observer at its end.
+    const E0_1_3: f64 = 0.005627803367048088;
+    /// Gain of the observer at its end.
+    const E0_2_1: f64 = 0.0014420897963740578;
+    /// Gain of the observer at its end.
+    const E0_2_2: f64 = 2.2101945239792857;
+    /// Gain of the observer at its end.
+    const E0_2_3: f64 = 1.0319275340206813;
+    /// Gain of the observer at its end.
+    const E0_2_4: f64 = 1.3304598248204031;
+    /// Gain of the observer at its end.
+    const E1_1_1: f64 = 1.9995008164815138;
+    /// Gain of the observer at its end.
+    const E1_1_2: f64 = 999.2535286720462;
+    /// Gain of the observer at its end.
+    const E1_1_3: f64 = 0.005627803367048088;
+    /// Gain of the observer at its end.
+    const E1_1_4: f64 = 29.999252798059576;
+    /// Gain of the observer at its end.
+    const E1_2_1: f64 = 0.0014420897963740578;
+    /// Gain of the observer at its end.
+    const E1_2_2: f64 = 2.4788577332214805;
+    /// Gain of the observer at its end.
+    const E1_2_3: f64 = 1.5319275340206813;
+    /// Gain of the observer at its end.
+    const E1_2_4: f64 = 2.6609196496408063;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.000996505559752715;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f64 = 0.0006188271646029575;
+    /// Prediction of x1 from d.
+    const PHI1_4: f64 = 0.00010816330676811052;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9902193397510792;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f64 = 1.1234620408672982;
+    /// Prediction of x2 from d.
+    const PHI2_4: f64 = 0.30941358230147875;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f64 = -0.011234620408672982;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f64 = 0.5412090107511158;
+    /// Prediction of x3 from d.
+    const PHI3_4: f64 = 0.37459048481653323;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -218,9 +295,9 @@ impl Stage16Observer {
             x3 = y[1];
             d = 0.0;
         } else {
-            x1 = self.x1_next + (0.00010816330676811052 * self.u1);
-            x2 = self.x2_next + (0.30941358230147875 * self.u1);
-            x3 = self.x3_next + (0.37459048481653323 * self.u1);
+            x1 = self.x1_next + (Self::GAMMA1 * self.u1);
+            x2 = self.x2_next + (Self::GAMMA2 * self.u1);
+            x3 = self.x3_next + (Self::GAMMA3 * self.u1);
             d = self.d_next;
         }
 
@@ -229,7 +306,7 @@ impl Stage16Observer {
         let miss2 = y[1] - x3;
         let off1 = miss1;
         let off2 = miss2;
-        let left_o = 20_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1_1: f64;
         let l1_2: f64;
@@ -248,44 +325,45 @@ impl Stage16Observer {
             l2_2 = 1.2843129003368876;
             l2_3 = -0.2598303207324358;
             l2_4 = 0.028634005234458536;
-        } else if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.0004991835184862197;
-            let s1 = ((12007.013438558752 * r0) - 4.007472019404232) * r1;
-            l1_2 = s1 + 0.004899465284856127;
+        } else if o0 > 8.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            let s1 = (Self::Q1_1_1 + (Self::Q1_1_2 * o0)) * r0;
+            l1_1 = s1 - 0.0004991835184862197;
+            let s2 = (Self::Q1_2_1 + (Self::Q1_2_2 * o0)) * r0;
+            l1_2 = s2 + 0.004899465284856127;
             l1_3 = 0.005627803367048088;
-            l1_4 = 359.9910335767149 * r0 * r1;
+            l1_4 = Self::Q1_4_1 * r0;
             l2_1 = 0.0014420897963740578;
-            let s2 = (((-18.578489051610646) * r0) + 9.913794744612098) * r1;
-            l2_2 = s2 + 1.1153817526860825;
-            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.46807246597931873;
-            l2_4 = 79.8275894892242 * r0 * r1;
+            let s3 = (Self::Q2_2_1 + (Self::Q2_2_2 * o0)) * r0;
+            l2_2 = s3 + 1.1153817526860825;
+            let s4 = (Self::Q2_3_1 + (Self::Q2_3_2 * o0)) * r0;
+            l2_3 = s4 - 0.46807246597931873;
+            l2_4 = Self::Q2_4_1 * r0;
         } else if left_o == 8 {
-            l1_1 = 0.9995008164815138;
-            l1_2 = -0.4960345371406728;
-            l1_3 = 0.005627803367048088;
+            l1_1 = Self::E0_1_1;
+            l1_2 = Self::E0_1_2;
+            l1_3 = Self::E0_1_3;
             l1_4 = 0.0;
-            l2_1 = 0.0014420897963740578;
-            l2_2 = 2.2101945239792857;
-            l2_3 = 1.0319275340206813;
-            l2_4 = 1.3304598248204031;
+            l2_1 = Self::E0_2_1;
+            l2_2 = Self::E0_2_2;
+            l2_3 = Self::E0_2_3;
+            l2_4 = Self::E0_2_4;
         } else {
-            l1_1 = 1.9995008164815138;
-            l1_2 = 999.2535286720462;
-            l1_3 = 0.005627803367048088;
-            l1_4 = 29.999252798059576;
-            l2_1 = 0.0014420897963740578;
-            l2_2 = 2.4788577332214805;
-            l2_3 = 1.5319275340206813;
-            l2_4 = 2.6609196496408063;
+            l1_1 = Self::E1_1_1;
+            l1_2 = Self::E1_1_2;
+            l1_3 = Self::E1_1_3;
+            l1_4 = Self::E1_1_4;
+            l2_1 = Self::E1_2_1;
+            l2_2 = Self::E1_2_2;
+            l2_3 = Self::E1_2_3;
+            l2_4 = Self::E1_2_4;
         }
-        let s3 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        let x1_on = s3 + (0.00010816330676811052 * d) + (l1_1 * off1) + (l2_1 * off2);
-        let s4 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        let x2_on = s4 + (0.30941358230147875 * d) + (l1_2 * off1) + (l2_2 * off2);
-        let s5 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        let x3_on = s5 + (0.37459048481653323 * d) + (l1_3 * off1) + (l2_3 * off2);
+        let s5 = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3);
+        let x1_on = s5 + (Self::PHI1_4 * d) + (l1_1 * off1) + (l2_1 * off2);
+        let s6 = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3);
+        let x2_on = s6 + (Self::PHI2_4 * d) + (l1_2 * off1) + (l2_2 * off2);
+        let s7 = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3);
+        let x3_on = s7 + (Self::PHI3_4 * d) + (l1_3 * off1) + (l2_3 * off2);
         let d_on = d + (l1_4 * off1) + (l2_4 * off2);
         if !(x1.is_finite()
             && x1_on.is_finite()

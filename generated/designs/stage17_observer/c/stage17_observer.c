@@ -32,6 +32,10 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE17_OBSERVER_OBSERVER_SAMPLES 8U /* samples of the round of the observer */
+#define STAGE17_OBSERVER_Q1_1 (-20.0) /* weight in the observer's gain l1 */
+#define STAGE17_OBSERVER_Q1_2 8.0 /* weight in the observer's gain l1 */
 ptc_status stage17_observer_init(stage17_observer *self, const stage17_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -45,8 +49,8 @@ ptc_status stage17_observer_init(stage17_observer *self, const stage17_observer_
             if (PTC_FINITE_F64(q2_1)
                 && PTC_FINITE_F64(e1_2)
                 && PTC_FINITE_F64(e0_2)
-                && (1e-200 <= params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->seen = 0U;
                 self->x2_hat = 0.0;
@@ -98,15 +102,14 @@ ptc_status stage17_observer_update(stage17_observer *self, uint32_t k, const dou
         base = p1;
         miss = y[1] - p1;
     }
-    const uint32_t left_o = (elapsed < 8U) ? (8U - elapsed) : 0U;
+    const uint32_t left_o = (elapsed < STAGE17_OBSERVER_OBSERVER_SAMPLES) ? (STAGE17_OBSERVER_OBSERVER_SAMPLES - elapsed) : 0U;
     const double o0 = (double)left_o;
     double l1;
     double l2;
-    if (6.0 < o0) {
-        const double r0 = 1.0 / o0;
-        const double r1 = 1.0 / (o0 - 1.0);
-        l1 = (((-20.0) * r0) + 8.0) * r1;
-        l2 = self->q2_1 * r0 * r1;
+    if (o0 > 6.0) {
+        const double r0 = 1.0 / (o0 * (o0 - 1.0));
+        l1 = (STAGE17_OBSERVER_Q1_1 + (STAGE17_OBSERVER_Q1_2 * o0)) * r0;
+        l2 = self->q2_1 * r0;
     } else if (left_o == 6U) {
         l1 = 1.0;
         l2 = self->e0_2;

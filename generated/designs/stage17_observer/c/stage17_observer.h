@@ -36,8 +36,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE17_OBSERVER_BA5DB286_H
-#define STAGE17_OBSERVER_BA5DB286_H
+#ifndef STAGE17_OBSERVER_628FD24B_H
+#define STAGE17_OBSERVER_628FD24B_H
 
 #include <stdint.h>
 
@@ -74,8 +74,8 @@ typedef struct stage17_observer {
     uint32_t seen; /* 1 once y has been measured */
     double x2_hat; /* estimate of x2 */
     double d_hat; /* estimate of d */
-    double phi1_2; /* prediction from a state */
-    double q2_1; /* weight in the observer's gains */
+    double phi1_2; /* prediction of x2 from d */
+    double q2_1; /* weight in the observer's gain l2 */
     double e1_2; /* gain of the observer at its end */
     double e0_2; /* gain of the observer at its end */
 } stage17_observer;

@@ -35,8 +35,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE17_OBSERVER_25C2ED04_HPP
-#define STAGE17_OBSERVER_25C2ED04_HPP
+#ifndef STAGE17_OBSERVER_3FCE999F_HPP
+#define STAGE17_OBSERVER_3FCE999F_HPP
 
 #include <array>
 #include <cfloat>
@@ -119,8 +119,8 @@ public:
         if (!(finite(q2_1)
                 && finite(e1_2)
                 && finite(e0_2)
-                && (1e-200 <= params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -171,15 +171,14 @@ public:
             base = p1;
             miss = y[1] - p1;
         }
-        const std::uint32_t left_o = (elapsed < 8U) ? (8U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
-        if (6.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            l1 = (((-20.0) * r0) + 8.0) * r1;
-            l2 = q2_1_ * r0 * r1;
+        if (o0 > 6.0) {
+            const double r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1 = (q1_1_ + (q1_2_ * o0)) * r0;
+            l2 = q2_1_ * r0;
         } else if (left_o == 6U) {
             l1 = 1.0;
             l2 = e0_2_;
@@ -225,13 +224,19 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{8U};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{-20.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{8.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t seen_{}; // 1 once y has been measured
     double x2_hat_{}; // estimate of x2
     double d_hat_{}; // estimate of d
-    double phi1_2_{}; // prediction from a state
-    double q2_1_{}; // weight in the observer's gains
+    double phi1_2_{}; // prediction of x2 from d
+    double q2_1_{}; // weight in the observer's gain l2
     double e1_2_{}; // gain of the observer at its end
     double e0_2_{}; // gain of the observer at its end
 };

@@ -14,6 +14,9 @@ function [status, self] = stage17_observer_update(self, k, y, u) %#codegen
 %     -2  an argument is not finite, or a tick is not whole
 %     -3  an estimate is not finite
 
+observer_samples = uint32(8); % samples of the round of the observer
+q1_1 = -20.0; % weight in the observer's gain l1
+q1_2 = 8.0; % weight in the observer's gain l1
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
     status = int32(-2);
@@ -37,13 +40,12 @@ else
     base = p1;
     miss = y(2) - p1;
 end
-left_o = uint32(8) - elapsed;
+left_o = observer_samples - elapsed;
 o0 = double(left_o);
-if 6.0 < o0
-    r0 = 1.0 / o0;
-    r1 = 1.0 / (o0 - 1.0);
-    l1 = (((-20.0) * r0) + 8.0) * r1;
-    l2 = self.q2_1 * r0 * r1;
+if o0 > 6.0
+    r0 = 1.0 / (o0 * (o0 - 1.0));
+    l1 = (q1_1 + (q1_2 * o0)) * r0;
+    l2 = self.q2_1 * r0;
 elseif left_o == uint32(6)
     l1 = 1.0;
     l2 = self.e0_2;

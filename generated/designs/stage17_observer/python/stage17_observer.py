@@ -88,6 +88,13 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 8
+# Weight in the observer's gain l1.
+_Q1_1 = _R(-20.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(8.0)
+
 class Stage17Observer:
     """The observer. Takes the parameters and arms at tick 0.
 
@@ -107,8 +114,8 @@ class Stage17Observer:
                 np.isfinite(q2_1)
                 and np.isfinite(e1_2)
                 and np.isfinite(e0_2)
-                and (1e-200 <= given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h))
+                and (given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -160,13 +167,12 @@ class Stage17Observer:
             else:
                 base = p1
                 miss = y[1] - p1
-            left_o = max(8 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if 6.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                l1 = (((-20.0) * r0) + 8.0) * r1
-                l2 = self._q2_1 * r0 * r1
+            if o0 > 6.0:
+                r0 = 1.0 / (o0 * (o0 - 1.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0)) * r0
+                l2 = self._q2_1 * r0
             elif left_o == 6:
                 l1 = _R(1.0)
                 l2 = self._e0_2

@@ -129,9 +129,9 @@ pub struct Stage17Observer {
     x2_hat: f64,
     /// estimate of d.
     d_hat: f64,
-    /// prediction from a state.
+    /// prediction of x2 from d.
     phi1_2: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f64,
     /// gain of the observer at its end.
     e1_2: f64,
@@ -148,6 +148,13 @@ pub struct Stage17Observer {
     clippy::nursery
 )]
 impl Stage17Observer {
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 8;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = -20.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = 8.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -163,8 +170,8 @@ impl Stage17Observer {
         if !(q2_1.is_finite()
             && e1_2.is_finite()
             && e0_2.is_finite()
-            && (1e-200 <= params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -219,15 +226,14 @@ impl Stage17Observer {
             base = p1;
             miss = y[1] - p1;
         }
-        let left_o = 8_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
-        if 6.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1 = (((-20.0) * r0) + 8.0) * r1;
-            l2 = self.q2_1 * r0 * r1;
+        if o0 > 6.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0)) * r0;
+            l2 = self.q2_1 * r0;
         } else if left_o == 6 {
             l1 = 1.0;
             l2 = self.e0_2;

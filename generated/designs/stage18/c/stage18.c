@@ -32,12 +32,17 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE18_W1_1 (-120000.0) /* weight of x1 in the law */
+#define STAGE18_W1_2 600.0 /* weight of x2 in the law */
+#define STAGE18_W2_2 (-600.0) /* weight of x2 in the law */
+#define STAGE18_SAMPLES 30U /* samples from the start to rest */
 ptc_status stage18_init(stage18 *self, const stage18_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0.0 < params->u_max) && PTC_FINITE_F64(params->k)) {
+        if ((params->u_max > 0.0) && PTC_FINITE_F64(params->k)) {
             const double p_k = params->k;
             const double u_max = params->u_max;
             self->start = 0U;
@@ -81,19 +86,19 @@ ptc_status stage18_step(const stage18 *self, uint32_t k, const double x[2], doub
 
             /* The exact law in samples. */
             const double m0 = (elapsed < 26U) ? ((double)(30U - elapsed)) : 4.0;
-            const double z1 = ((-120000.0) * x1) + (600.0 * x2);
-            const double z2 = (-600.0) * x2;
-            w = ((z1 / m0) + z2) / (m0 - 1.0);
+            const double z1 = (STAGE18_W1_1 * x1) + (STAGE18_W1_2 * x2);
+            const double z2 = STAGE18_W2_2 * x2;
+            w = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
             const double s1 = (-((self->p_k * v2) + (3.0 * x[1]))) * v3;
             const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
             if (PTC_FINITE_F64(v)) {
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (elapsed < 30U) {
+                } else if (elapsed < STAGE18_SAMPLES) {
                     *u = v;
                     status = PTC_OK;
                 } else {

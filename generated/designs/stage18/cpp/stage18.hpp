@@ -43,8 +43,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 2, the number of states.
  */
-#ifndef STAGE18_DBFD55E8_HPP
-#define STAGE18_DBFD55E8_HPP
+#ifndef STAGE18_C7334E70_HPP
+#define STAGE18_C7334E70_HPP
 
 #include <array>
 #include <cfloat>
@@ -118,7 +118,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((0.0 < params.u_max) && finite(params.k))) {
+        if (!((params.u_max > 0.0) && finite(params.k))) {
             return Status::Param;
         }
         const double p_k = params.k;
@@ -154,17 +154,17 @@ public:
 
         // The exact law in samples.
         const double m0 = (elapsed < 26U) ? (static_cast<double>(30U - elapsed)) : 4.0;
-        const double z1 = ((-120000.0) * x1) + (600.0 * x2);
-        const double z2 = (-600.0) * x2;
-        w = ((z1 / m0) + z2) / (m0 - 1.0);
+        const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+        const double z2 = w2_2_ * x2;
+        w = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
         const double s1 = (-((p_k_ * v2) + (3.0 * x[1]))) * v3;
         const double v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
         if (finite(v)) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {
                 return {-u_max_, Status::Saturated};
-            } else if (elapsed < 30U) {
+            } else if (elapsed < samples_) {
                 return {v, Status::Ok};
             } else {
                 return {v, Status::Hold};
@@ -180,6 +180,14 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-120000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{600.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-600.0};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{30U};
 
     std::uint32_t start_{}; // tick at which it was armed
     double p_k_{}; // parameter of an expression of the design

@@ -37,18 +37,18 @@ ptc_status stage19_init(stage19 *self, const stage19_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((2U < params->samples)
+        if ((params->samples > 2U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->k[2])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float s1 = (params->k[2] - 4.0f) + 3.0f;
             const float s2 = (s1 < 6.0f) ? 6.0f : s1;
-            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float w1_1 = (-params->k[0]) * (1.0f / (params->h * params->h * params->h));
             const float w1_2 = params->k[0] * (1.0f / (params->h * params->h));
             const float w1_3 = 0.33333334f * (-params->k[0]) * (1.0f / params->h);
@@ -70,8 +70,8 @@ ptc_status stage19_init(stage19 *self, const stage19_params *params)
                 && PTC_FINITE_F32(b_1)
                 && PTC_FINITE_F32(b_2)
                 && PTC_FINITE_F32(b_3)
-                && (1e-30f <= params->h * params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h * params->h))) {
+                && (params->h * params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h * params->h) >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat = deadbeat;
@@ -114,7 +114,7 @@ ptc_status stage19_step(const stage19 *self, uint32_t k, const float x[3], float
     const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
     const float m0 = (float)left;
     float w;
-    if (self->deadbeat < m0) {
+    if (m0 > self->deadbeat) {
         /* The exact law in samples. */
         const float z1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
         const float z2 = (self->w2_2 * x2) + (self->w2_3 * x3);

@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_09DAE67F_H
-#define STAGE19_09DAE67F_H
+#ifndef STAGE19_6D2155A1_H
+#define STAGE19_6D2155A1_H
 
 #include <stdint.h>
 
@@ -82,15 +82,15 @@ typedef struct stage19 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     float deadbeat; /* samples to go at which deadbeat takes over */
-    float w1_1; /* weight of a state in the law */
-    float w1_2; /* weight of a state in the law */
-    float w1_3; /* weight of a state in the law */
-    float w2_2; /* weight of a state in the law */
-    float w2_3; /* weight of a state in the law */
-    float w3_3; /* weight of a state in the law */
-    float b_1; /* weight of a state in the law */
-    float b_2; /* weight of a state in the law */
-    float b_3; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
+    float w1_2; /* weight of x2 in the law */
+    float w1_3; /* weight of x3 in the law */
+    float w2_2; /* weight of x2 in the law */
+    float w2_3; /* weight of x3 in the law */
+    float w3_3; /* weight of x3 in the law */
+    float b_1; /* weight of x1 in the law */
+    float b_2; /* weight of x2 in the law */
+    float b_3; /* weight of x3 in the law */
 } stage19;
 
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */

@@ -42,8 +42,8 @@
  *   envelope: not checked: it does not examine a clock in samples.
  *   zeros: sound: none: the relative degree is 3, the number of states.
  */
-#ifndef STAGE19_5616D288_HPP
-#define STAGE19_5616D288_HPP
+#ifndef STAGE19_5BDA2CA0_HPP
+#define STAGE19_5BDA2CA0_HPP
 
 #include <array>
 #include <cfloat>
@@ -119,20 +119,20 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((2U < params.samples)
+        if (!((params.samples > 2U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const float s1 = (params.k[2] - 4.0f) + 3.0f;
         const float s2 = (s1 < 6.0f) ? 6.0f : s1;
-        const float deadbeat = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float w1_1 = (-params.k[0]) * (1.0f / (params.h * params.h * params.h));
         const float w1_2 = params.k[0] * (1.0f / (params.h * params.h));
         const float w1_3 = 0.33333334f * (-params.k[0]) * (1.0f / params.h);
@@ -154,8 +154,8 @@ public:
                 && finite(b_1)
                 && finite(b_2)
                 && finite(b_3)
-                && (1e-30f <= params.h * params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h * params.h)))) {
+                && (params.h * params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h * params.h) >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -193,7 +193,7 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const float m0 = static_cast<float>(left);
         float w{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const float z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
             const float z2 = (w2_2_ * x2) + (w2_3_ * x3);
@@ -226,15 +226,15 @@ private:
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     float deadbeat_{}; // samples to go at which deadbeat takes over
-    float w1_1_{}; // weight of a state in the law
-    float w1_2_{}; // weight of a state in the law
-    float w1_3_{}; // weight of a state in the law
-    float w2_2_{}; // weight of a state in the law
-    float w2_3_{}; // weight of a state in the law
-    float w3_3_{}; // weight of a state in the law
-    float b_1_{}; // weight of a state in the law
-    float b_2_{}; // weight of a state in the law
-    float b_3_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
+    float w1_2_{}; // weight of x2 in the law
+    float w1_3_{}; // weight of x3 in the law
+    float w2_2_{}; // weight of x2 in the law
+    float w2_3_{}; // weight of x3 in the law
+    float w3_3_{}; // weight of x3 in the law
+    float b_1_{}; // weight of x1 in the law
+    float b_2_{}; // weight of x2 in the law
+    float b_3_{}; // weight of x3 in the law
 };
 
 } // namespace ptc

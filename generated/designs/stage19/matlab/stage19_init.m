@@ -64,7 +64,7 @@ if numel(params.k) ~= 3
     error('stage19:param', 'params.k has %d numbers; legal: 3', numel(params.k));
 end
 given.deadbeat = single(params.deadbeat);
-if ~(uint32(2) < given.samples)
+if ~(given.samples > uint32(2))
     error('stage19:param', 'params.samples is %g; legal: >= 3', params.samples);
 end
 if ~((single(1.000000045813705e-18) <= given.h) && (given.h <= single(9.999999843067494e17)))
@@ -79,13 +79,13 @@ end
 if ~isfinite(given.k(3))
     error('stage19:param', 'params.k(3) is %g; legal: finite', params.k(3));
 end
-if ~(isfinite(given.deadbeat) && (single(0.0) <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= single(0.0)))
     error('stage19:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = (given.k(3) - single(4.0)) + single(3.0);
 s2 = pick(s1 < single(6.0), single(6.0), s1);
-deadbeat = pick(single(0.0) < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > single(0.0), given.deadbeat, s2);
 w1_1 = (-given.k(1)) * (single(1.0) / (given.h * given.h * given.h));
 w1_2 = given.k(1) * (single(1.0) / (given.h * given.h));
 w1_3 = single(0.3333333432674408) * (-given.k(1)) * (single(1.0) / given.h);
@@ -107,8 +107,8 @@ if ~(isfinite(deadbeat) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
     && isfinite(b_3) ...
-    && (single(1.0000000031710769e-30) <= given.h * given.h * given.h) ...
-    && (single(1.0000000031710769e-30) <= single(1.0) / (given.h * given.h * given.h)))
+    && (given.h * given.h * given.h >= single(1.0000000031710769e-30)) ...
+    && (single(1.0) / (given.h * given.h * given.h) >= single(1.0000000031710769e-30)))
     error('stage19:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -29,7 +29,7 @@ v1 = single(1.0) + (x1 * x1);
 x3 = (x(3) / v1) - (x2 * single(0.25));
 left = self.samples - elapsed;
 m0 = single(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     z1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
     z2 = (self.w2_2 * x2) + (self.w2_3 * x3);

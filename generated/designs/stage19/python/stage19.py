@@ -125,7 +125,7 @@ class Stage19:
             given_h = _R(params.h)
             given_k = _numbers(params.k, 3, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (2 < given_samples):
+            if not (given_samples > 2):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 3")
             if not (_R(1.000000045813705e-18) <= given_h <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.h is {params.h}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
@@ -135,12 +135,12 @@ class Stage19:
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
             if not np.isfinite(given_k[2]):
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = (given_k[2] - _R(4.0)) + _R(3.0)
             s2 = max(s1, _R(6.0))
-            deadbeat = given_deadbeat if _R(0.0) < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > _R(0.0) else s2
             w1_1 = (-given_k[0]) * (_R(1.0) / (given_h * given_h * given_h))
             w1_2 = given_k[0] * (_R(1.0) / (given_h * given_h))
             w1_3 = _R(0.3333333432674408) * (-given_k[0]) * (_R(1.0) / given_h)
@@ -163,8 +163,8 @@ class Stage19:
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
                 and np.isfinite(b_3)
-                and (_R(1.0000000031710769e-30) <= given_h * given_h * given_h)
-                and (_R(1.0000000031710769e-30) <= _R(1.0) / (given_h * given_h * given_h))
+                and (given_h * given_h * given_h >= _R(1.0000000031710769e-30))
+                and (_R(1.0) / (given_h * given_h * given_h) >= _R(1.0000000031710769e-30))
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -202,7 +202,7 @@ class Stage19:
             x3 = (x[2] / v1) - (x2 * _R(0.25))
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2) + (self._w1_3 * x3)
                 z2 = (self._w2_2 * x2) + (self._w2_3 * x3)

@@ -140,23 +140,23 @@ pub struct Stage19 {
     samples: u32,
     /// samples to go at which deadbeat takes over.
     deadbeat: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     b_3: f32,
 }
 
@@ -174,21 +174,21 @@ impl Stage19 {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage19Params) -> Result<Self, Error> {
-        if !((2 < params.samples)
+        if !((params.samples > 2)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = (params.k[2] - 4.0) + 3.0;
         let s2 = if s1 < 6.0 { 6.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -214,8 +214,8 @@ impl Stage19 {
             && b_1.is_finite()
             && b_2.is_finite()
             && b_3.is_finite()
-            && (1e-30 <= params.h * params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h * params.h)))
+            && (params.h * params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h * params.h) >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -257,7 +257,7 @@ impl Stage19 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f32;
         let w: f32;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
             let z2 = (self.w2_2 * x2) + (self.w2_3 * x3);

@@ -32,6 +32,14 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE2_W1_1 (-120000000000.0) /* weight of x1 in the law */
+#define STAGE2_W1_2 120000000.0 /* weight of x2 in the law */
+#define STAGE2_W1_3 (-40000.0) /* weight of x3 in the law */
+#define STAGE2_W2_2 (-60000000.0) /* weight of x2 in the law */
+#define STAGE2_W2_3 30000.0 /* weight of x3 in the law */
+#define STAGE2_W3_3 (-12000.0) /* weight of x3 in the law */
+#define STAGE2_SAMPLES 20U /* samples from the start to rest */
 ptc_status stage2_init(stage2 *self, const stage2_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -65,13 +73,14 @@ ptc_status stage2_step(const stage2 *self, uint32_t k, const double x[3], double
 
     /* The exact law in samples. */
     const double m0 = (elapsed < 17U) ? ((double)(23U - elapsed)) : 6.0;
-    const double z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-    const double z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-    const double z3 = (-12000.0) * x3;
-    v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+    const double z1 = (STAGE2_W1_1 * x1) + (STAGE2_W1_2 * x2) + (STAGE2_W1_3 * x3);
+    const double z2 = (STAGE2_W2_2 * x2) + (STAGE2_W2_3 * x3);
+    const double z3 = STAGE2_W3_3 * x3;
+    const double m0f2 = m0 * (m0 - 1.0);
+    v = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
     *u = v;
     if (PTC_FINITE_F64(v)) {
-        if (!(elapsed < 20U)) {
+        if (!(elapsed < STAGE2_SAMPLES)) {
             status = PTC_HOLD;
         }
     } else {

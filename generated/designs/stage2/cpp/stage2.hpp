@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE2_8EEF204B_HPP
-#define STAGE2_8EEF204B_HPP
+#ifndef STAGE2_3E27E1AB_HPP
+#define STAGE2_3E27E1AB_HPP
 
 #include <array>
 #include <cfloat>
@@ -133,12 +133,13 @@ public:
 
         // The exact law in samples.
         const double m0 = (elapsed < 17U) ? (static_cast<double>(23U - elapsed)) : 6.0;
-        const double z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-        const double z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-        const double z3 = (-12000.0) * x3;
-        v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        const double z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
+        const double z2 = (w2_2_ * x2) + (w2_3_ * x3);
+        const double z3 = w3_3_ * x3;
+        const double m0f2 = m0 * (m0 - 1.0);
+        v = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
         if (finite(v)) {
-            if (elapsed < 20U) {
+            if (elapsed < samples_) {
                 return {v, Status::Ok};
             } else {
                 return {v, Status::Hold};
@@ -154,6 +155,20 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-120000000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{120000000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w1_3_{-40000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-60000000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w2_3_{30000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w3_3_{-12000.0};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{20U};
 
     std::uint32_t start_{}; // tick at which it was armed
 };

@@ -12,6 +12,13 @@ function [u, status] = stage2_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+w1_1 = -120000000000.0; % weight of x1 in the law
+w1_2 = 120000000.0; % weight of x2 in the law
+w1_3 = -40000.0; % weight of x3 in the law
+w2_2 = -60000000.0; % weight of x2 in the law
+w2_3 = 30000.0; % weight of x3 in the law
+w3_3 = -12000.0; % weight of x3 in the law
+samples = uint32(20); % samples from the start to rest
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -27,12 +34,13 @@ x3 = x(3);
 
 % The exact law in samples.
 m0 = pick(elapsed < uint32(17), double(uint32(mod(double(uint32(23)) - double(elapsed), 4294967296))), 6.0);
-z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-z3 = (-12000.0) * x3;
-v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+z1 = (w1_1 * x1) + (w1_2 * x2) + (w1_3 * x3);
+z2 = (w2_2 * x2) + (w2_3 * x3);
+z3 = w3_3 * x3;
+m0f2 = m0 * (m0 - 1.0);
+v = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
 if isfinite(v)
-    if elapsed < uint32(20)
+    if elapsed < samples
         u = v;
         status = int32(0);
     else

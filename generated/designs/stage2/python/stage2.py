@@ -97,6 +97,21 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of x1 in the law.
+_W1_1 = _R(-120000000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(120000000.0)
+# Weight of x3 in the law.
+_W1_3 = _R(-40000.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-60000000.0)
+# Weight of x3 in the law.
+_W2_3 = _R(30000.0)
+# Weight of x3 in the law.
+_W3_3 = _R(-12000.0)
+# Samples from the start to rest.
+_SAMPLES = 20
+
 class Stage2:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -127,12 +142,13 @@ class Stage2:
 
             # The exact law in samples.
             m0 = _R((23 - elapsed) & _WRAP) if elapsed < 17 else _R(6.0)
-            z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3)
-            z2 = ((-60000000.0) * x2) + (30000.0 * x3)
-            z3 = (-12000.0) * x3
-            v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)
+            z1 = (_W1_1 * x1) + (_W1_2 * x2) + (_W1_3 * x3)
+            z2 = (_W2_2 * x2) + (_W2_3 * x3)
+            z3 = _W3_3 * x3
+            m0f2 = m0 * (m0 - 1.0)
+            v = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))
             if np.isfinite(v):
-                if elapsed < 20:
+                if elapsed < _SAMPLES:
                     return Control(v, Status.OK)
                 else:
                     return Control(v, Status.HOLD)

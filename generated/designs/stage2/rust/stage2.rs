@@ -134,6 +134,21 @@ pub struct Stage2 {
     clippy::nursery
 )]
 impl Stage2 {
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -120000000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 120000000.0;
+    /// Weight of x3 in the law.
+    const W1_3: f64 = -40000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -60000000.0;
+    /// Weight of x3 in the law.
+    const W2_3: f64 = 30000.0;
+    /// Weight of x3 in the law.
+    const W3_3: f64 = -12000.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 20;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -166,12 +181,13 @@ impl Stage2 {
         } else {
             6.0
         };
-        let z1 = (((-120000000000.0) * x1) + (120000000.0 * x2)) - (40000.0 * x3);
-        let z2 = ((-60000000.0) * x2) + (30000.0 * x3);
-        let z3 = (-12000.0) * x3;
-        v = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2) + (Self::W1_3 * x3);
+        let z2 = (Self::W2_2 * x2) + (Self::W2_3 * x3);
+        let z3 = Self::W3_3 * x3;
+        let m0f2 = m0 * (m0 - 1.0);
+        v = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
         let status = if v.is_finite() {
-            if elapsed < 20 {
+            if elapsed < Self::SAMPLES {
                 Status::Ok
             } else {
                 Status::Hold

@@ -33,21 +33,28 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE20_Q1_1 120.0 /* weight in the observer's gain l1 */
+#define STAGE20_Q1_2 (-60.0) /* weight in the observer's gain l1 */
+#define STAGE20_Q1_3 12.0 /* weight in the observer's gain l1 */
+#define STAGE20_C_3 2.0 /* weight of u1 in the law */
+#define STAGE20_B_3 (-2.0) /* weight of u1 in the law */
+#define STAGE20_B_4 (-0.65625) /* -21/32, weight of u2 in the law */
 ptc_status stage20_init(stage20 *self, const stage20_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((7U < params->samples)
+        if ((params->samples > 7U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (0.0 < params->u_max)
+            && (params->u_max > 0.0)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->k[2])
             && PTC_FINITE_F64(params->k[3])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double phi1_2 = params->h;
             const double phi1_3 = 0.25 * (params->h * params->h);
@@ -67,7 +74,7 @@ ptc_status stage20_init(stage20 *self, const stage20_params *params)
             const double e0_3 = 0.2857142857142857 * (1.0 / (params->h * params->h));
             const double s1 = (params->k[3] - 9.0) + 4.0;
             const double s2 = (s1 < 8.0) ? 8.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double w1_1 = 2.0 * (-params->k[0]) * (1.0 / (params->h * params->h));
             const double w1_2 = (-2.5) * (-params->k[0]) * (1.0 / params->h);
             const double w1_4 = 0.65625 * (-params->k[0]);
@@ -106,8 +113,8 @@ ptc_status stage20_init(stage20 *self, const stage20_params *params)
                 && PTC_FINITE_F64(w4_4)
                 && PTC_FINITE_F64(b_1)
                 && PTC_FINITE_F64(b_2)
-                && (1e-200 <= params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0;
@@ -211,13 +218,12 @@ ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const doub
             double l1;
             double l2;
             double l3;
-            if (8.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                const double r2 = 1.0 / (o0 - 2.0);
-                l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-                l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
-                l3 = self->q3_1 * r0 * r1 * r2;
+            if (o0 > 8.0) {
+                const double o0f2 = o0 * (o0 - 1.0);
+                const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+                l1 = (STAGE20_Q1_1 + (STAGE20_Q1_2 * o0) + (STAGE20_Q1_3 * o0f2)) * r0;
+                l2 = (self->q2_1 + (self->q2_2 * o0)) * r0;
+                l3 = self->q3_1 * r0;
             } else if (left_o == 8U) {
                 l1 = 1.0;
                 l2 = self->e0_2;
@@ -241,7 +247,7 @@ ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const doub
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = (double)left;
             double v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const double s6 = self->w1_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
                 const double z1 = (self->w1_1 * e1) + (self->w1_2 * e2) + s6;
@@ -250,21 +256,23 @@ ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const doub
                 const double z3 = self->w3_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
                 const double s8 = self->w4_3 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
                 const double z4 = s8 + (self->w4_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2)));
-                const double s9 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-                const double s10 = 2.0 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
-                const double s11 = s10 - ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
-                v = (((s9 / (m0 - 3.0)) + s11) - (d + 0.5)) + (2.0 * r[2]);
+                const double m0f2 = m0 * (m0 - 1.0);
+                const double m0f3 = m0f2 * (m0 - 2.0);
+                const double s9 = STAGE20_C_3 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
+                const double s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+                const double s11 = (s10 + (s9 - ((self->u2 + (d + 0.5)) - (2.0 * self->rho2)))) - (d + 0.5);
+                v = s11 + (2.0 * r[2]);
             } else {
                 /* Deadbeat. */
-                const double s12 = 2.0 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
-                const double s13 = 0.65625 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
-                const double s14 = ((((self->b_1 * e1) + (self->b_2 * e2)) - s12) - s13) - (d + 0.5);
+                const double s12 = STAGE20_B_3 * ((self->u1 + (d + 0.5)) - (2.0 * self->rho1));
+                const double s13 = STAGE20_B_4 * ((self->u2 + (d + 0.5)) - (2.0 * self->rho2));
+                const double s14 = ((self->b_1 * e1) + (self->b_2 * e2) + s12 + s13) - (d + 0.5);
                 v = s14 + (2.0 * r[2]);
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     u_now = self->u_max;
                 } else if (v < -self->u_max) {
                     u_now = -self->u_max;
@@ -281,7 +289,7 @@ ptc_status stage20_step(stage20 *self, uint32_t k, const double y[1], const doub
                 self->d_hat = d;
                 self->seen = 1U;
                 *u = u_now;
-                if ((self->u_max < v) || (v < -self->u_max)) {
+                if ((v > self->u_max) || (v < -self->u_max)) {
                     status = PTC_SATURATED;
                 } else if (elapsed < self->samples) {
                     status = PTC_OK;

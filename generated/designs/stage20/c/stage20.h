@@ -53,8 +53,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE20_562BF282_H
-#define STAGE20_562BF282_H
+#ifndef STAGE20_5CDF3A40_H
+#define STAGE20_5CDF3A40_H
 
 #include <stdint.h>
 
@@ -100,16 +100,16 @@ typedef struct stage20 {
     double x1_hat; /* estimate of x1 */
     double x2_hat; /* estimate of x2 */
     double d_hat; /* estimate of d */
-    double phi1_2; /* prediction from a state */
-    double phi1_3; /* prediction from a state */
+    double phi1_2; /* prediction of x1 from x2 */
+    double phi1_3; /* prediction of x1 from d */
     double gamma1; /* prediction from u */
     double late_gamma1; /* prediction from u */
-    double phi2_3; /* prediction from a state */
+    double phi2_3; /* prediction of x2 from d */
     double gamma2; /* prediction from u */
     double late_gamma2; /* prediction from u */
-    double q2_1; /* weight in the observer's gains */
-    double q2_2; /* weight in the observer's gains */
-    double q3_1; /* weight in the observer's gains */
+    double q2_1; /* weight in the observer's gain l2 */
+    double q2_2; /* weight in the observer's gain l2 */
+    double q3_1; /* weight in the observer's gain l3 */
     double e2_2; /* gain of the observer at its end */
     double e2_3; /* gain of the observer at its end */
     double e1_2; /* gain of the observer at its end */
@@ -119,16 +119,16 @@ typedef struct stage20 {
     double rho1; /* last one of r, 1 samples ago */
     double rho2; /* last one of r, 2 samples ago */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w1_4; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double w2_4; /* weight of a state in the law */
-    double w3_4; /* weight of a state in the law */
-    double w4_3; /* weight of a state in the law */
-    double w4_4; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
-    double b_2; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w1_4; /* weight of u2 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double w2_4; /* weight of u2 in the law */
+    double w3_4; /* weight of u2 in the law */
+    double w4_3; /* weight of u1 in the law */
+    double w4_4; /* weight of u2 in the law */
+    double b_1; /* weight of x1 in the law */
+    double b_2; /* weight of x2 in the law */
     double u_max; /* bound of |u| */
 } stage20;
 

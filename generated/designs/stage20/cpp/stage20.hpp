@@ -52,8 +52,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE20_F4F9C050_HPP
-#define STAGE20_F4F9C050_HPP
+#ifndef STAGE20_92483E21_HPP
+#define STAGE20_92483E21_HPP
 
 #include <array>
 #include <cfloat>
@@ -130,16 +130,16 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((7U < params.samples)
+        if (!((params.samples > 7U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
-                && (0.0 < params.u_max)
+                && (params.u_max > 0.0)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.k[3])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -161,7 +161,7 @@ public:
         const double e0_3 = 0.2857142857142857 * (1.0 / (params.h * params.h));
         const double s1 = (params.k[3] - 9.0) + 4.0;
         const double s2 = (s1 < 8.0) ? 8.0 : s1;
-        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double w1_1 = 2.0 * (-params.k[0]) * (1.0 / (params.h * params.h));
         const double w1_2 = (-2.5) * (-params.k[0]) * (1.0 / params.h);
         const double w1_4 = 0.65625 * (-params.k[0]);
@@ -200,8 +200,8 @@ public:
                 && finite(w4_4)
                 && finite(b_1)
                 && finite(b_2)
-                && (1e-200 <= params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -295,13 +295,12 @@ public:
         double l1{};
         double l2{};
         double l3{};
-        if (8.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = ((q2_1_ * r0) + q2_2_) * r1 * r2;
-            l3 = q3_1_ * r0 * r1 * r2;
+        if (o0 > 8.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+            l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+            l3 = q3_1_ * r0;
         } else if (left_o == 8U) {
             l1 = 1.0;
             l2 = e0_2_;
@@ -325,7 +324,7 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = static_cast<double>(left);
         double v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double s6 = w1_4_ * ((u2_ + (d + 0.5)) - (2.0 * rho2_));
             const double z1 = (w1_1_ * e1) + (w1_2_ * e2) + s6;
@@ -334,22 +333,24 @@ public:
             const double z3 = w3_4_ * ((u2_ + (d + 0.5)) - (2.0 * rho2_));
             const double s8 = w4_3_ * ((u1_ + (d + 0.5)) - (2.0 * rho1_));
             const double z4 = s8 + (w4_4_ * ((u2_ + (d + 0.5)) - (2.0 * rho2_)));
-            const double s9 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            const double s10 = 2.0 * ((u1_ + (d + 0.5)) - (2.0 * rho1_));
-            const double s11 = s10 - ((u2_ + (d + 0.5)) - (2.0 * rho2_));
-            v = (((s9 / (m0 - 3.0)) + s11) - (d + 0.5)) + (2.0 * r[2]);
+            const double m0f2 = m0 * (m0 - 1.0);
+            const double m0f3 = m0f2 * (m0 - 2.0);
+            const double s9 = c_3_ * ((u1_ + (d + 0.5)) - (2.0 * rho1_));
+            const double s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            const double s11 = (s10 + (s9 - ((u2_ + (d + 0.5)) - (2.0 * rho2_)))) - (d + 0.5);
+            v = s11 + (2.0 * r[2]);
         } else {
             // Deadbeat.
-            const double s12 = 2.0 * ((u1_ + (d + 0.5)) - (2.0 * rho1_));
-            const double s13 = 0.65625 * ((u2_ + (d + 0.5)) - (2.0 * rho2_));
-            const double s14 = ((((b_1_ * e1) + (b_2_ * e2)) - s12) - s13) - (d + 0.5);
+            const double s12 = b_3_ * ((u1_ + (d + 0.5)) - (2.0 * rho1_));
+            const double s13 = b_4_ * ((u2_ + (d + 0.5)) - (2.0 * rho2_));
+            const double s14 = ((b_1_ * e1) + (b_2_ * e2) + s12 + s13) - (d + 0.5);
             v = s14 + (2.0 * r[2]);
         }
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -365,7 +366,7 @@ public:
         x2_hat_ = x2;
         d_hat_ = d;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
@@ -397,6 +398,18 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{120.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-60.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{12.0};
+    /// Weight of u1 in the law.
+    static constexpr double c_3_{2.0};
+    /// Weight of u1 in the law.
+    static constexpr double b_3_{-2.0};
+    /// -21/32, weight of u2 in the law.
+    static constexpr double b_4_{-0.65625};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -407,16 +420,16 @@ private:
     double x1_hat_{}; // estimate of x1
     double x2_hat_{}; // estimate of x2
     double d_hat_{}; // estimate of d
-    double phi1_2_{}; // prediction from a state
-    double phi1_3_{}; // prediction from a state
+    double phi1_2_{}; // prediction of x1 from x2
+    double phi1_3_{}; // prediction of x1 from d
     double gamma1_{}; // prediction from u
     double late_gamma1_{}; // prediction from u
-    double phi2_3_{}; // prediction from a state
+    double phi2_3_{}; // prediction of x2 from d
     double gamma2_{}; // prediction from u
     double late_gamma2_{}; // prediction from u
-    double q2_1_{}; // weight in the observer's gains
-    double q2_2_{}; // weight in the observer's gains
-    double q3_1_{}; // weight in the observer's gains
+    double q2_1_{}; // weight in the observer's gain l2
+    double q2_2_{}; // weight in the observer's gain l2
+    double q3_1_{}; // weight in the observer's gain l3
     double e2_2_{}; // gain of the observer at its end
     double e2_3_{}; // gain of the observer at its end
     double e1_2_{}; // gain of the observer at its end
@@ -426,16 +439,16 @@ private:
     double rho1_{}; // last one of r, 1 samples ago
     double rho2_{}; // last one of r, 2 samples ago
     double deadbeat_{}; // samples to go at which deadbeat takes over
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w1_4_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double w2_4_{}; // weight of a state in the law
-    double w3_4_{}; // weight of a state in the law
-    double w4_3_{}; // weight of a state in the law
-    double w4_4_{}; // weight of a state in the law
-    double b_1_{}; // weight of a state in the law
-    double b_2_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w1_4_{}; // weight of u2 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double w2_4_{}; // weight of u2 in the law
+    double w3_4_{}; // weight of u2 in the law
+    double w4_3_{}; // weight of u1 in the law
+    double w4_4_{}; // weight of u2 in the law
+    double b_1_{}; // weight of x1 in the law
+    double b_2_{}; // weight of x2 in the law
     double u_max_{}; // bound of |u|
 };
 

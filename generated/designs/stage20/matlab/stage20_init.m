@@ -76,13 +76,13 @@ if numel(params.k) ~= 4
     error('stage20:param', 'params.k has %d numbers; legal: 4', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(7) < given.samples)
+if ~(given.samples > uint32(7))
     error('stage20:param', 'params.samples is %g; legal: >= 8', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
     error('stage20:param', 'params.h is %g; legal: from 1e-150 to 1e150', params.h);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage20:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -97,7 +97,7 @@ end
 if ~isfinite(given.k(4))
     error('stage20:param', 'params.k(4) is %g; legal: finite', params.k(4));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage20:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
@@ -119,7 +119,7 @@ e0_2 = 0.42857142857142855 * (1.0 / given.h);
 e0_3 = 0.2857142857142857 * (1.0 / (given.h * given.h));
 s1 = (given.k(4) - 9.0) + 4.0;
 s2 = pick(s1 < 8.0, 8.0, s1);
-deadbeat = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 w1_1 = 2.0 * (-given.k(1)) * (1.0 / (given.h * given.h));
 w1_2 = (-2.5) * (-given.k(1)) * (1.0 / given.h);
 w1_4 = 0.65625 * (-given.k(1));
@@ -158,8 +158,8 @@ if ~(isfinite(phi1_3) ...
     && isfinite(w4_4) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
-    && (1e-200 <= given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h)))
+    && (given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h) >= 1e-200))
     error('stage20:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -14,6 +14,12 @@ function [u, status, self] = stage20_step(self, k, y, r) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+q1_1 = 120.0; % weight in the observer's gain l1
+q1_2 = -60.0; % weight in the observer's gain l1
+q1_3 = 12.0; % weight in the observer's gain l1
+c_3 = 2.0; % weight of u1 in the law
+b_3 = -2.0; % weight of u1 in the law
+b_4 = -0.65625; % -21/32, weight of u2 in the law
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -49,13 +55,12 @@ else
 end
 left_o = bitshift(self.samples, -1) - elapsed;
 o0 = double(left_o);
-if 8.0 < o0
-    r0 = 1.0 / o0;
-    r1 = 1.0 / (o0 - 1.0);
-    r2 = 1.0 / (o0 - 2.0);
-    l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-    l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-    l3 = self.q3_1 * r0 * r1 * r2;
+if o0 > 8.0
+    o0f2 = o0 * (o0 - 1.0);
+    r0 = 1.0 / (o0f2 * (o0 - 2.0));
+    l1 = (q1_1 + (q1_2 * o0) + (q1_3 * o0f2)) * r0;
+    l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+    l3 = self.q3_1 * r0;
 elseif left_o == uint32(8)
     l1 = 1.0;
     l2 = self.e0_2;
@@ -78,7 +83,7 @@ e1 = x1 - r(1);
 e2 = x2 - r(2);
 left = self.samples - elapsed;
 m0 = double(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     s6 = self.w1_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
     z1 = (self.w1_1 * e1) + (self.w1_2 * e2) + s6;
@@ -87,22 +92,24 @@ if self.deadbeat < m0
     z3 = self.w3_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
     s8 = self.w4_3 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
     z4 = s8 + (self.w4_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2)));
-    s9 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-    s10 = 2.0 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
-    s11 = s10 - ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
-    v = (((s9 / (m0 - 3.0)) + s11) - (d + 0.5)) + (2.0 * r(3));
+    m0f2 = m0 * (m0 - 1.0);
+    m0f3 = m0f2 * (m0 - 2.0);
+    s9 = c_3 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
+    s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+    s11 = (s10 + (s9 - ((self.u2 + (d + 0.5)) - (2.0 * self.rho2)))) - (d + 0.5);
+    v = s11 + (2.0 * r(3));
 else
     % Deadbeat.
-    s12 = 2.0 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
-    s13 = 0.65625 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
-    s14 = ((((self.b_1 * e1) + (self.b_2 * e2)) - s12) - s13) - (d + 0.5);
+    s12 = b_3 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
+    s13 = b_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
+    s14 = ((self.b_1 * e1) + (self.b_2 * e2) + s12 + s13) - (d + 0.5);
     v = s14 + (2.0 * r(3));
 end
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if self.u_max < v
+if v > self.u_max
     u_now = self.u_max;
 elseif v < -self.u_max
     u_now = -self.u_max;
@@ -118,7 +125,7 @@ self.x1_hat = x1;
 self.x2_hat = x2;
 self.d_hat = d;
 self.seen = uint32(1);
-if (self.u_max < v) || (v < -self.u_max)
+if (v > self.u_max) || (v < -self.u_max)
     u = u_now;
     status = int32(2);
 elseif elapsed < self.samples

@@ -123,6 +123,19 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight in the observer's gain l1.
+_Q1_1 = _R(120.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-60.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# Weight of u1 in the law.
+_C_3 = _R(2.0)
+# Weight of u1 in the law.
+_B_3 = _R(-2.0)
+# -21/32, weight of u2 in the law.
+_B_4 = _R(-0.65625)
+
 class Stage20:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -138,11 +151,11 @@ class Stage20:
             given_u_max = _R(params.u_max)
             given_k = _numbers(params.k, 4, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (7 < given_samples):
+            if not (given_samples > 7):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 8")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
@@ -152,7 +165,7 @@ class Stage20:
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
             if not np.isfinite(given_k[3]):
                 raise ValueError(f"params.k[3] is {params.k[3]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             phi1_2 = given_h
@@ -173,7 +186,7 @@ class Stage20:
             e0_3 = 0.2857142857142857 * (1.0 / (given_h * given_h))
             s1 = (given_k[3] - 9.0) + 4.0
             s2 = max(s1, _R(8.0))
-            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > 0.0 else s2
             w1_1 = 2.0 * (-given_k[0]) * (1.0 / (given_h * given_h))
             w1_2 = (-2.5) * (-given_k[0]) * (1.0 / given_h)
             w1_4 = 0.65625 * (-given_k[0])
@@ -213,8 +226,8 @@ class Stage20:
                 and np.isfinite(w4_4)
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
-                and (1e-200 <= given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h))
+                and (given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -310,13 +323,12 @@ class Stage20:
                 miss = y[0] - p1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = _R(left_o)
-            if 8.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
-                l2 = ((self._q2_1 * r0) + self._q2_2) * r1 * r2
-                l3 = self._q3_1 * r0 * r1 * r2
+            if o0 > 8.0:
+                o0f2 = o0 * (o0 - 1.0)
+                r0 = 1.0 / (o0f2 * (o0 - 2.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l2 = (self._q2_1 + (self._q2_2 * o0)) * r0
+                l3 = self._q3_1 * r0
             elif left_o == 8:
                 l1 = _R(1.0)
                 l2 = self._e0_2
@@ -338,7 +350,7 @@ class Stage20:
             e2 = x2 - r[1]
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 s6 = self._w1_4 * ((self._u2 + (d + 0.5)) - (2.0 * self._rho2))
                 z1 = (self._w1_1 * e1) + (self._w1_2 * e2) + s6
@@ -347,19 +359,21 @@ class Stage20:
                 z3 = self._w3_4 * ((self._u2 + (d + 0.5)) - (2.0 * self._rho2))
                 s8 = self._w4_3 * ((self._u1 + (d + 0.5)) - (2.0 * self._rho1))
                 z4 = s8 + (self._w4_4 * ((self._u2 + (d + 0.5)) - (2.0 * self._rho2)))
-                s9 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4
-                s10 = 2.0 * ((self._u1 + (d + 0.5)) - (2.0 * self._rho1))
-                s11 = s10 - ((self._u2 + (d + 0.5)) - (2.0 * self._rho2))
-                v = (((s9 / (m0 - 3.0)) + s11) - (d + 0.5)) + (2.0 * r[2])
+                m0f2 = m0 * (m0 - 1.0)
+                m0f3 = m0f2 * (m0 - 2.0)
+                s9 = _C_3 * ((self._u1 + (d + 0.5)) - (2.0 * self._rho1))
+                s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0))
+                s11 = (s10 + (s9 - ((self._u2 + (d + 0.5)) - (2.0 * self._rho2)))) - (d + 0.5)
+                v = s11 + (2.0 * r[2])
             else:
                 # Deadbeat.
-                s12 = 2.0 * ((self._u1 + (d + 0.5)) - (2.0 * self._rho1))
-                s13 = 0.65625 * ((self._u2 + (d + 0.5)) - (2.0 * self._rho2))
-                s14 = ((((self._b_1 * e1) + (self._b_2 * e2)) - s12) - s13) - (d + 0.5)
+                s12 = _B_3 * ((self._u1 + (d + 0.5)) - (2.0 * self._rho1))
+                s13 = _B_4 * ((self._u2 + (d + 0.5)) - (2.0 * self._rho2))
+                s14 = ((self._b_1 * e1) + (self._b_2 * e2) + s12 + s13) - (d + 0.5)
                 v = s14 + (2.0 * r[2])
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -374,7 +388,7 @@ class Stage20:
             self._x2_hat = x2
             self._d_hat = d
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
             elif elapsed < self._samples:
                 return Control(u_now, Status.OK)

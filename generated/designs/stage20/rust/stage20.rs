@@ -164,25 +164,25 @@ pub struct Stage20 {
     x2_hat: f64,
     /// estimate of d.
     d_hat: f64,
-    /// prediction from a state.
+    /// prediction of x1 from x2.
     phi1_2: f64,
-    /// prediction from a state.
+    /// prediction of x1 from d.
     phi1_3: f64,
     /// prediction from u.
     gamma1: f64,
     /// prediction from u.
     late_gamma1: f64,
-    /// prediction from a state.
+    /// prediction of x2 from d.
     phi2_3: f64,
     /// prediction from u.
     gamma2: f64,
     /// prediction from u.
     late_gamma2: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_2: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l3.
     q3_1: f64,
     /// gain of the observer at its end.
     e2_2: f64,
@@ -202,25 +202,25 @@ pub struct Stage20 {
     rho2: f64,
     /// samples to go at which deadbeat takes over.
     deadbeat: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f64,
-    /// weight of a state in the law.
+    /// weight of u2 in the law.
     w1_4: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f64,
-    /// weight of a state in the law.
+    /// weight of u2 in the law.
     w2_4: f64,
-    /// weight of a state in the law.
+    /// weight of u2 in the law.
     w3_4: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w4_3: f64,
-    /// weight of a state in the law.
+    /// weight of u2 in the law.
     w4_4: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f64,
     /// bound of |u|.
     u_max: f64,
@@ -235,21 +235,34 @@ pub struct Stage20 {
     clippy::nursery
 )]
 impl Stage20 {
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 120.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -60.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 12.0;
+    /// Weight of u1 in the law.
+    const C_3: f64 = 2.0;
+    /// Weight of u1 in the law.
+    const B_3: f64 = -2.0;
+    /// -21/32, weight of u2 in the law.
+    const B_4: f64 = -0.65625;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage20Params) -> Result<Self, Error> {
-        if !((7 < params.samples)
+        if !((params.samples > 7)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.k[3].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
@@ -272,7 +285,7 @@ impl Stage20 {
         let e0_3 = 0.2857142857142857 * (1.0 / (params.h * params.h));
         let s1 = (params.k[3] - 9.0) + 4.0;
         let s2 = if s1 < 8.0 { 8.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -315,8 +328,8 @@ impl Stage20 {
             && w4_4.is_finite()
             && b_1.is_finite()
             && b_2.is_finite()
-            && (1e-200 <= params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -414,13 +427,12 @@ impl Stage20 {
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-            l3 = self.q3_1 * r0 * r1 * r2;
+        if o0 > 8.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+            l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+            l3 = self.q3_1 * r0;
         } else if left_o == 8 {
             l1 = 1.0;
             l2 = self.e0_2;
@@ -444,7 +456,7 @@ impl Stage20 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f64;
         let v: f64;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let s6 = self.w1_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
             let z1 = (self.w1_1 * e1) + (self.w1_2 * e2) + s6;
@@ -453,22 +465,24 @@ impl Stage20 {
             let z3 = self.w3_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
             let s8 = self.w4_3 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
             let z4 = s8 + (self.w4_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2)));
-            let s9 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            let s10 = 2.0 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
-            let s11 = s10 - ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
-            v = (((s9 / (m0 - 3.0)) + s11) - (d + 0.5)) + (2.0 * r[2]);
+            let m0f2 = m0 * (m0 - 1.0);
+            let m0f3 = m0f2 * (m0 - 2.0);
+            let s9 = Self::C_3 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
+            let s10 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            let s11 = (s10 + (s9 - ((self.u2 + (d + 0.5)) - (2.0 * self.rho2)))) - (d + 0.5);
+            v = s11 + (2.0 * r[2]);
         } else {
             // Deadbeat.
-            let s12 = 2.0 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
-            let s13 = 0.65625 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
-            let s14 = ((((self.b_1 * e1) + (self.b_2 * e2)) - s12) - s13) - (d + 0.5);
+            let s12 = Self::B_3 * ((self.u1 + (d + 0.5)) - (2.0 * self.rho1));
+            let s13 = Self::B_4 * ((self.u2 + (d + 0.5)) - (2.0 * self.rho2));
+            let s14 = ((self.b_1 * e1) + (self.b_2 * e2) + s12 + s13) - (d + 0.5);
             v = s14 + (2.0 * r[2]);
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -484,7 +498,7 @@ impl Stage20 {
         self.x2_hat = x2;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if elapsed < self.samples {
             Status::Ok

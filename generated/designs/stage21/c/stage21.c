@@ -32,21 +32,23 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE21_B_4 (-0.5234375) /* -67/128, weight of u1 in the law */
 ptc_status stage21_init(stage21 *self, const stage21_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((3U < params->samples)
+        if ((params->samples > 3U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (0.0 < params->u_max)
+            && (params->u_max > 0.0)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->k[2])
             && PTC_FINITE_F64(params->k[3])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)
+            && (params->deadbeat >= 0.0)
             && PTC_FINITE_F64(params->size)) {
             const uint32_t samples = params->samples;
             const double h = params->h;
@@ -57,7 +59,7 @@ ptc_status stage21_init(stage21 *self, const stage21_params *params)
             const double c_r12 = (-0.25) * h;
             const double s1 = (params->k[3] - 9.0) + 4.0;
             const double s2 = (s1 < 8.0) ? 8.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double s3 = 1.0 / (params->h * params->h * params->h);
             const double w1_1 = 0.5 * (-params->k[0]) * s3;
             const double w1_2 = (-0.875) * (-params->k[0]) * (1.0 / (params->h * params->h));
@@ -94,8 +96,8 @@ ptc_status stage21_init(stage21 *self, const stage21_params *params)
                 && PTC_FINITE_F64(b_1)
                 && PTC_FINITE_F64(b_2)
                 && PTC_FINITE_F64(b_3)
-                && (1e-200 <= params->h * params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h * params->h))) {
+                && (params->h * params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0;
@@ -184,7 +186,7 @@ ptc_status stage21_step(stage21 *self, uint32_t k, const double x[3], double *u)
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = (double)left;
             double v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const double s6 = (self->w1_1 * e1) + (self->w1_2 * e2) + (self->w1_3 * e3);
                 const double z1 = s6 + (self->w1_4 * (self->u1 - (0.5 * rho1)));
@@ -192,17 +194,19 @@ ptc_status stage21_step(stage21 *self, uint32_t k, const double x[3], double *u)
                 const double z2 = (self->w2_2 * e2) + (self->w2_3 * e3) + s7;
                 const double z3 = (self->w3_3 * e3) + (self->w3_4 * (self->u1 - (0.5 * rho1)));
                 const double z4 = self->w4_4 * (self->u1 - (0.5 * rho1));
-                const double s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-                v = (s8 / (m0 - 3.0)) + (self->u1 - (0.5 * rho1)) + (0.5 * rho0);
+                const double m0f2 = m0 * (m0 - 1.0);
+                const double m0f3 = m0f2 * (m0 - 2.0);
+                const double s8 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+                v = s8 + (self->u1 - (0.5 * rho1)) + (0.5 * rho0);
             } else {
                 /* Deadbeat. */
                 const double s9 = (self->b_1 * e1) + (self->b_2 * e2) + (self->b_3 * e3);
-                v = (s9 - (0.5234375 * (self->u1 - (0.5 * rho1)))) + (0.5 * rho0);
+                v = s9 + (STAGE21_B_4 * (self->u1 - (0.5 * rho1))) + (0.5 * rho0);
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     u_now = self->u_max;
                 } else if (v < -self->u_max) {
                     u_now = -self->u_max;
@@ -211,7 +215,7 @@ ptc_status stage21_step(stage21 *self, uint32_t k, const double x[3], double *u)
                 }
                 self->u1 = u_now;
                 *u = u_now;
-                if ((self->u_max < v) || (v < -self->u_max)) {
+                if ((v > self->u_max) || (v < -self->u_max)) {
                     status = PTC_SATURATED;
                 } else if (elapsed < self->samples) {
                     status = PTC_OK;

@@ -54,8 +54,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE21_21CEB223_H
-#define STAGE21_21CEB223_H
+#ifndef STAGE21_2B73566A_H
+#define STAGE21_2B73566A_H
 
 #include <stdint.h>
 
@@ -103,19 +103,19 @@ typedef struct stage21 {
     double c_r6; /* derived from the parameters */
     double c_r12; /* derived from the parameters */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w1_3; /* weight of a state in the law */
-    double w1_4; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double w2_3; /* weight of a state in the law */
-    double w2_4; /* weight of a state in the law */
-    double w3_3; /* weight of a state in the law */
-    double w3_4; /* weight of a state in the law */
-    double w4_4; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
-    double b_2; /* weight of a state in the law */
-    double b_3; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w1_3; /* weight of x3 in the law */
+    double w1_4; /* weight of u1 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double w2_3; /* weight of x3 in the law */
+    double w2_4; /* weight of u1 in the law */
+    double w3_3; /* weight of x3 in the law */
+    double w3_4; /* weight of u1 in the law */
+    double w4_4; /* weight of u1 in the law */
+    double b_1; /* weight of x1 in the law */
+    double b_2; /* weight of x2 in the law */
+    double b_3; /* weight of x3 in the law */
     double u_max; /* bound of |u| */
 } stage21;
 

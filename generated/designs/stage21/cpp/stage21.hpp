@@ -53,8 +53,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE21_D8B167AE_HPP
-#define STAGE21_D8B167AE_HPP
+#ifndef STAGE21_CDA21BE0_HPP
+#define STAGE21_CDA21BE0_HPP
 
 #include <array>
 #include <cfloat>
@@ -132,16 +132,16 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((3U < params.samples)
+        if (!((params.samples > 3U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
-                && (0.0 < params.u_max)
+                && (params.u_max > 0.0)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.k[3])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat)
+                && (params.deadbeat >= 0.0)
                 && finite(params.size))) {
             return Status::Param;
         }
@@ -154,7 +154,7 @@ public:
         const double c_r12 = (-0.25) * h;
         const double s1 = (params.k[3] - 9.0) + 4.0;
         const double s2 = (s1 < 8.0) ? 8.0 : s1;
-        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double s3 = 1.0 / (params.h * params.h * params.h);
         const double w1_1 = 0.5 * (-params.k[0]) * s3;
         const double w1_2 = (-0.875) * (-params.k[0]) * (1.0 / (params.h * params.h));
@@ -191,8 +191,8 @@ public:
                 && finite(b_1)
                 && finite(b_2)
                 && finite(b_3)
-                && (1e-200 <= params.h * params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h * params.h)))) {
+                && (params.h * params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -274,7 +274,7 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = static_cast<double>(left);
         double v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double s6 = (w1_1_ * e1) + (w1_2_ * e2) + (w1_3_ * e3);
             const double z1 = s6 + (w1_4_ * (u1_ - (0.5 * rho1)));
@@ -282,18 +282,20 @@ public:
             const double z2 = (w2_2_ * e2) + (w2_3_ * e3) + s7;
             const double z3 = (w3_3_ * e3) + (w3_4_ * (u1_ - (0.5 * rho1)));
             const double z4 = w4_4_ * (u1_ - (0.5 * rho1));
-            const double s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            v = (s8 / (m0 - 3.0)) + (u1_ - (0.5 * rho1)) + (0.5 * rho0);
+            const double m0f2 = m0 * (m0 - 1.0);
+            const double m0f3 = m0f2 * (m0 - 2.0);
+            const double s8 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = s8 + (u1_ - (0.5 * rho1)) + (0.5 * rho0);
         } else {
             // Deadbeat.
             const double s9 = (b_1_ * e1) + (b_2_ * e2) + (b_3_ * e3);
-            v = (s9 - (0.5234375 * (u1_ - (0.5 * rho1)))) + (0.5 * rho0);
+            v = s9 + (b_4_ * (u1_ - (0.5 * rho1))) + (0.5 * rho0);
         }
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -301,7 +303,7 @@ public:
             u_now = v;
         }
         u1_ = u_now;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
@@ -316,6 +318,8 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// -67/128, weight of u1 in the law.
+    static constexpr double b_4_{-0.5234375};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -327,19 +331,19 @@ private:
     double c_r6_{}; // derived from the parameters
     double c_r12_{}; // derived from the parameters
     double deadbeat_{}; // samples to go at which deadbeat takes over
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w1_3_{}; // weight of a state in the law
-    double w1_4_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double w2_3_{}; // weight of a state in the law
-    double w2_4_{}; // weight of a state in the law
-    double w3_3_{}; // weight of a state in the law
-    double w3_4_{}; // weight of a state in the law
-    double w4_4_{}; // weight of a state in the law
-    double b_1_{}; // weight of a state in the law
-    double b_2_{}; // weight of a state in the law
-    double b_3_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w1_3_{}; // weight of x3 in the law
+    double w1_4_{}; // weight of u1 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double w2_3_{}; // weight of x3 in the law
+    double w2_4_{}; // weight of u1 in the law
+    double w3_3_{}; // weight of x3 in the law
+    double w3_4_{}; // weight of u1 in the law
+    double w4_4_{}; // weight of u1 in the law
+    double b_1_{}; // weight of x1 in the law
+    double b_2_{}; // weight of x2 in the law
+    double b_3_{}; // weight of x3 in the law
     double u_max_{}; // bound of |u|
 };
 

@@ -79,13 +79,13 @@ if numel(params.k) ~= 4
 end
 given.deadbeat = double(params.deadbeat);
 given.size = double(params.size);
-if ~(uint32(3) < given.samples)
+if ~(given.samples > uint32(3))
     error('stage21:param', 'params.samples is %g; legal: >= 4', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
     error('stage21:param', 'params.h is %g; legal: from 1e-150 to 1e150', params.h);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage21:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -100,7 +100,7 @@ end
 if ~isfinite(given.k(4))
     error('stage21:param', 'params.k(4) is %g; legal: finite', params.k(4));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage21:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 if ~isfinite(given.size)
@@ -115,7 +115,7 @@ c_r6 = 0.75 * h;
 c_r12 = (-0.25) * h;
 s1 = (given.k(4) - 9.0) + 4.0;
 s2 = pick(s1 < 8.0, 8.0, s1);
-deadbeat = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 s3 = 1.0 / (given.h * given.h * given.h);
 w1_1 = 0.5 * (-given.k(1)) * s3;
 w1_2 = (-0.875) * (-given.k(1)) * (1.0 / (given.h * given.h));
@@ -152,8 +152,8 @@ if ~(isfinite(c_r3) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
     && isfinite(b_3) ...
-    && (1e-200 <= given.h * given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h * given.h)))
+    && (given.h * given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h * given.h) >= 1e-200))
     error('stage21:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

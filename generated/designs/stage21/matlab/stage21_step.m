@@ -14,6 +14,7 @@ function [u, status, self] = stage21_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+b_4 = -0.5234375; % -67/128, weight of u1 in the law
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -62,7 +63,7 @@ e2 = x2 - reference1;
 e3 = x3 - reference2;
 left = self.samples - elapsed;
 m0 = double(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     s6 = (self.w1_1 * e1) + (self.w1_2 * e2) + (self.w1_3 * e3);
     z1 = s6 + (self.w1_4 * (self.u1 - (0.5 * rho1)));
@@ -70,18 +71,20 @@ if self.deadbeat < m0
     z2 = (self.w2_2 * e2) + (self.w2_3 * e3) + s7;
     z3 = (self.w3_3 * e3) + (self.w3_4 * (self.u1 - (0.5 * rho1)));
     z4 = self.w4_4 * (self.u1 - (0.5 * rho1));
-    s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-    v = (s8 / (m0 - 3.0)) + (self.u1 - (0.5 * rho1)) + (0.5 * rho0);
+    m0f2 = m0 * (m0 - 1.0);
+    m0f3 = m0f2 * (m0 - 2.0);
+    s8 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+    v = s8 + (self.u1 - (0.5 * rho1)) + (0.5 * rho0);
 else
     % Deadbeat.
     s9 = (self.b_1 * e1) + (self.b_2 * e2) + (self.b_3 * e3);
-    v = (s9 - (0.5234375 * (self.u1 - (0.5 * rho1)))) + (0.5 * rho0);
+    v = s9 + (b_4 * (self.u1 - (0.5 * rho1))) + (0.5 * rho0);
 end
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if self.u_max < v
+if v > self.u_max
     u_now = self.u_max;
 elseif v < -self.u_max
     u_now = -self.u_max;
@@ -89,7 +92,7 @@ else
     u_now = v;
 end
 self.u1 = u_now;
-if (self.u_max < v) || (v < -self.u_max)
+if (v > self.u_max) || (v < -self.u_max)
     u = u_now;
     status = int32(2);
 elseif elapsed < self.samples

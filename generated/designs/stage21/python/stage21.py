@@ -126,6 +126,9 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# -67/128, weight of u1 in the law.
+_B_4 = _R(-0.5234375)
+
 class Stage21:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -142,11 +145,11 @@ class Stage21:
             given_k = _numbers(params.k, 4, "params.k")
             given_deadbeat = _R(params.deadbeat)
             given_size = _R(params.size)
-            if not (3 < given_samples):
+            if not (given_samples > 3):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 4")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
@@ -156,7 +159,7 @@ class Stage21:
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
             if not np.isfinite(given_k[3]):
                 raise ValueError(f"params.k[3] is {params.k[3]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             if not np.isfinite(given_size):
                 raise ValueError(f"params.size is {params.size}; legal: finite")
@@ -169,7 +172,7 @@ class Stage21:
             c_r12 = (-0.25) * h
             s1 = (given_k[3] - 9.0) + 4.0
             s2 = max(s1, _R(8.0))
-            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > 0.0 else s2
             s3 = 1.0 / (given_h * given_h * given_h)
             w1_1 = 0.5 * (-given_k[0]) * s3
             w1_2 = (-0.875) * (-given_k[0]) * (1.0 / (given_h * given_h))
@@ -207,8 +210,8 @@ class Stage21:
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
                 and np.isfinite(b_3)
-                and (1e-200 <= given_h * given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h * given_h))
+                and (given_h * given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -292,7 +295,7 @@ class Stage21:
             e3 = x3 - reference2
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 s6 = (self._w1_1 * e1) + (self._w1_2 * e2) + (self._w1_3 * e3)
                 z1 = s6 + (self._w1_4 * (self._u1 - (0.5 * rho1)))
@@ -300,22 +303,24 @@ class Stage21:
                 z2 = (self._w2_2 * e2) + (self._w2_3 * e3) + s7
                 z3 = (self._w3_3 * e3) + (self._w3_4 * (self._u1 - (0.5 * rho1)))
                 z4 = self._w4_4 * (self._u1 - (0.5 * rho1))
-                s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4
-                v = (s8 / (m0 - 3.0)) + (self._u1 - (0.5 * rho1)) + (0.5 * rho0)
+                m0f2 = m0 * (m0 - 1.0)
+                m0f3 = m0f2 * (m0 - 2.0)
+                s8 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0))
+                v = s8 + (self._u1 - (0.5 * rho1)) + (0.5 * rho0)
             else:
                 # Deadbeat.
                 s9 = (self._b_1 * e1) + (self._b_2 * e2) + (self._b_3 * e3)
-                v = (s9 - (0.5234375 * (self._u1 - (0.5 * rho1)))) + (0.5 * rho0)
+                v = s9 + (_B_4 * (self._u1 - (0.5 * rho1))) + (0.5 * rho0)
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
             else:
                 u_now = v
             self._u1 = u_now
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
             elif elapsed < self._samples:
                 return Control(u_now, Status.OK)

@@ -169,31 +169,31 @@ pub struct Stage21 {
     c_r12: f64,
     /// samples to go at which deadbeat takes over.
     deadbeat: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w1_4: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w2_4: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w3_4: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w4_4: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     b_3: f64,
     /// bound of |u|.
     u_max: f64,
@@ -208,21 +208,24 @@ pub struct Stage21 {
     clippy::nursery
 )]
 impl Stage21 {
+    /// -67/128, weight of u1 in the law.
+    const B_4: f64 = -0.5234375;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage21Params) -> Result<Self, Error> {
-        if !((3 < params.samples)
+        if !((params.samples > 3)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.k[3].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat)
+            && (params.deadbeat >= 0.0)
             && params.size.is_finite())
         {
             return Err(Error::Param);
@@ -236,7 +239,7 @@ impl Stage21 {
         let c_r12 = (-0.25) * h;
         let s1 = (params.k[3] - 9.0) + 4.0;
         let s2 = if s1 < 8.0 { 8.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -277,8 +280,8 @@ impl Stage21 {
             && b_1.is_finite()
             && b_2.is_finite()
             && b_3.is_finite()
-            && (1e-200 <= params.h * params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h * params.h)))
+            && (params.h * params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -364,7 +367,7 @@ impl Stage21 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f64;
         let v: f64;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let s6 = (self.w1_1 * e1) + (self.w1_2 * e2) + (self.w1_3 * e3);
             let z1 = s6 + (self.w1_4 * (self.u1 - (0.5 * rho1)));
@@ -372,18 +375,20 @@ impl Stage21 {
             let z2 = (self.w2_2 * e2) + (self.w2_3 * e3) + s7;
             let z3 = (self.w3_3 * e3) + (self.w3_4 * (self.u1 - (0.5 * rho1)));
             let z4 = self.w4_4 * (self.u1 - (0.5 * rho1));
-            let s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            v = (s8 / (m0 - 3.0)) + (self.u1 - (0.5 * rho1)) + (0.5 * rho0);
+            let m0f2 = m0 * (m0 - 1.0);
+            let m0f3 = m0f2 * (m0 - 2.0);
+            let s8 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = s8 + (self.u1 - (0.5 * rho1)) + (0.5 * rho0);
         } else {
             // Deadbeat.
             let s9 = (self.b_1 * e1) + (self.b_2 * e2) + (self.b_3 * e3);
-            v = (s9 - (0.5234375 * (self.u1 - (0.5 * rho1)))) + (0.5 * rho0);
+            v = s9 + (Self::B_4 * (self.u1 - (0.5 * rho1))) + (0.5 * rho0);
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -391,7 +396,7 @@ impl Stage21 {
             u_now = v;
         }
         self.u1 = u_now;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if elapsed < self.samples {
             Status::Ok

@@ -61,7 +61,7 @@ function self = stage22_init(params) %#codegen
 
 given.u_max = double(params.u_max);
 given.k = double(params.k);
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage22:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k)

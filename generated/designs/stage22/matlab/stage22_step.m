@@ -12,6 +12,10 @@ function [u, status] = stage22_step(self, k, x, r) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+w1_1 = -120000.0; % weight of x1 in the law
+w1_2 = 600.0; % weight of x2 in the law
+w2_2 = -600.0; % weight of x2 in the law
+samples = uint32(30); % samples from the start to rest
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -40,19 +44,19 @@ e2 = x2 - r(2);
 
 % The exact law in samples.
 m0 = pick(elapsed < uint32(26), double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296))), 4.0);
-z1 = ((-120000.0) * e1) + (600.0 * e2);
-z2 = (-600.0) * e2;
-w = (((z1 / m0) + z2) / (m0 - 1.0)) + r(3);
+z1 = (w1_1 * e1) + (w1_2 * e2);
+z2 = w2_2 * e2;
+w = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) + r(3);
 s1 = (-((self.p_k * v2) + (3.0 * x(2)))) * v3;
 v = (w - ((s1 + (x(2) * (2.0 * x(1) * x(2)))) * 0.5)) * 2.0;
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
     elseif v < -self.u_max
         u = -self.u_max;
         status = int32(2);
-    elseif elapsed < uint32(30)
+    elseif elapsed < samples
         u = v;
         status = int32(0);
     else

@@ -113,6 +113,15 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of x1 in the law.
+_W1_1 = _R(-120000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(600.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-600.0)
+# Samples from the start to rest.
+_SAMPLES = 30
+
 class Stage22:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -123,7 +132,7 @@ class Stage22:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
             given_k = _R(params.k)
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k):
                 raise ValueError(f"params.k is {params.k}; legal: finite")
@@ -170,17 +179,17 @@ class Stage22:
 
             # The exact law in samples.
             m0 = _R((30 - elapsed) & _WRAP) if elapsed < 26 else _R(4.0)
-            z1 = ((-120000.0) * e1) + (600.0 * e2)
-            z2 = (-600.0) * e2
-            w = (((z1 / m0) + z2) / (m0 - 1.0)) + r[2]
+            z1 = (_W1_1 * e1) + (_W1_2 * e2)
+            z2 = _W2_2 * e2
+            w = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) + r[2]
             s1 = (-((self._p_k * v2) + (3.0 * x[1]))) * v3
             v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0
             if np.isfinite(v):
-                if self._u_max < v:
+                if v > self._u_max:
                     return Control(self._u_max, Status.SATURATED)
                 elif v < -self._u_max:
                     return Control(-self._u_max, Status.SATURATED)
-                elif elapsed < 30:
+                elif elapsed < _SAMPLES:
                     return Control(v, Status.OK)
                 else:
                     return Control(v, Status.HOLD)

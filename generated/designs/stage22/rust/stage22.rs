@@ -154,12 +154,21 @@ pub struct Stage22 {
     clippy::nursery
 )]
 impl Stage22 {
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -120000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 600.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -600.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 30;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage22Params) -> Result<Self, Error> {
-        if !((0.0 < params.u_max) && params.k.is_finite()) {
+        if !((params.u_max > 0.0) && params.k.is_finite()) {
             return Err(Error::Param);
         }
         let p_k = params.k;
@@ -211,17 +220,17 @@ impl Stage22 {
         } else {
             4.0
         };
-        let z1 = ((-120000.0) * e1) + (600.0 * e2);
-        let z2 = (-600.0) * e2;
-        w = (((z1 / m0) + z2) / (m0 - 1.0)) + r[2];
+        let z1 = (Self::W1_1 * e1) + (Self::W1_2 * e2);
+        let z2 = Self::W2_2 * e2;
+        w = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) + r[2];
         let s1 = (-((self.p_k * v2) + (3.0 * x[1]))) * v3;
         let v = (w - ((s1 + (x[1] * (2.0 * x[0] * x[1]))) * 0.5)) * 2.0;
         let (u, status) = if v.is_finite() {
-            if self.u_max < v {
+            if v > self.u_max {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {
                 (-self.u_max, Status::Saturated)
-            } else if elapsed < 30 {
+            } else if elapsed < Self::SAMPLES {
                 (v, Status::Ok)
             } else {
                 (v, Status::Hold)

@@ -33,12 +33,59 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE23_GAMMA1 0.00014736313620654503 /* prediction from u */
+#define STAGE23_GAMMA2 0.04245805872561294 /* prediction from u */
+#define STAGE23_GAMMA3 0.7866781644184895 /* prediction from u */
+#define STAGE23_OBSERVER_SAMPLES 25U /* samples of the round of the observer */
+#define STAGE23_Q1_1 24.0 /* weight in the observer's gain l1 */
+#define STAGE23_Q1_2 (-24.0) /* weight in the observer's gain l1 */
+#define STAGE23_Q1_3 12.0 /* weight in the observer's gain l1 */
+#define STAGE23_Q2_1 (-12098.699806867564) /* weight in the observer's gain l2 */
+#define STAGE23_Q2_2 5834.153087954333 /* weight in the observer's gain l2 */
+#define STAGE23_Q2_3 (-616.5581920200482) /* weight in the observer's gain l2 */
+#define STAGE23_Q3_1 90981.25917900148 /* weight in the observer's gain l3 */
+#define STAGE23_Q3_2 (-29002.765439771665) /* weight in the observer's gain l3 */
+#define STAGE23_Q3_3 2998.7909601002407 /* weight in the observer's gain l3 */
+#define STAGE23_E0_1 1.0950153689199909 /* gain of the observer at its end */
+#define STAGE23_E0_2 15.297392853547647 /* gain of the observer at its end */
+#define STAGE23_E0_3 98.32269091567703 /* gain of the observer at its end */
+#define STAGE23_E1_1 1.309301083205705 /* gain of the observer at its end */
+#define STAGE23_E1_2 6.605837883444068 /* gain of the observer at its end */
+#define STAGE23_E1_3 (-407.1438225313707) /* gain of the observer at its end */
+#define STAGE23_E2_1 2.5950153689199906 /* gain of the observer at its end */
+#define STAGE23_E2_2 180.07490250022406 /* gain of the observer at its end */
+#define STAGE23_E2_3 358.78371927742626 /* gain of the observer at its end */
+#define STAGE23_PHI1_2 0.009947226521739929 /* prediction of x1 from x2 */
+#define STAGE23_PHI1_3 0.00042458058725612934 /* prediction of x1 from x3 */
+#define STAGE23_PHI2_2 0.9892036123037478 /* prediction of x2 from x2 */
+#define STAGE23_PHI2_3 0.07824323585459282 /* prediction of x2 from x3 */
+#define STAGE23_PHI3_2 (-0.015648647170918566) /* prediction of x3 from x2 */
+#define STAGE23_PHI3_3 0.605811756616243 /* prediction of x3 from x3 */
+#define STAGE23_W1_1 (-1072951.6050632286) /* weight of x1 in the law */
+#define STAGE23_W1_2 11224.193450693596 /* weight of x2 in the law */
+#define STAGE23_W1_3 (-404.795716419329) /* weight of x3 in the law */
+#define STAGE23_W2_2 (-6164.422229232715) /* weight of x2 in the law */
+#define STAGE23_W2_3 332.70200299979865 /* weight of x3 in the law */
+#define STAGE23_W3_2 15.336789013047456 /* weight of x2 in the law */
+#define STAGE23_W3_3 (-153.36789013047456) /* weight of x3 in the law */
+#define STAGE23_W4_4 (-16.0) /* weight of u1 in the law */
+#define STAGE23_W4_2 0.29792241063993585 /* weight of x2 in the law */
+#define STAGE23_W4_3 8.220775893600642 /* weight of x3 in the law */
+#define STAGE23_C_4 1.4049846310800091 /* weight of u1 in the law */
+#define STAGE23_C_2 (-0.00824128170492625) /* weight of x2 in the law */
+#define STAGE23_C_3 (-0.20107642470674394) /* weight of x3 in the law */
+#define STAGE23_B_1 (-1277.3233393609864) /* weight of x1 in the law */
+#define STAGE23_B_2 (-37.174971411649004) /* weight of x2 in the law */
+#define STAGE23_B_3 (-3.523659928569286) /* weight of x3 in the law */
+#define STAGE23_B_4 (-2.5950153689199906) /* weight of u1 in the law */
+#define STAGE23_SAMPLES 50U /* samples from the start to rest */
 ptc_status stage23_init(stage23 *self, const stage23_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if (0.0 < params->u_max) {
+        if (params->u_max > 0.0) {
             const double u_max = params->u_max;
             self->start = 0U;
             self->u1 = 0.0;
@@ -104,47 +151,44 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
                 x2 = 0.0;
                 x3 = 0.0;
             } else {
-                x1 = self->x1_next + (0.00014736313620654503 * self->u2);
-                x2 = self->x2_next + (0.04245805872561294 * self->u2);
-                x3 = self->x3_next + (0.7866781644184895 * self->u2);
+                x1 = self->x1_next + (STAGE23_GAMMA1 * self->u2);
+                x2 = self->x2_next + (STAGE23_GAMMA2 * self->u2);
+                x3 = self->x3_next + (STAGE23_GAMMA3 * self->u2);
             }
 
             /* Prediction of the next sample. */
             const double miss1 = y[0] - x1;
             const double off1 = miss1;
-            const uint32_t left_o = (elapsed < 25U) ? (25U - elapsed) : 0U;
+            const uint32_t left_o = (elapsed < STAGE23_OBSERVER_SAMPLES) ? (STAGE23_OBSERVER_SAMPLES - elapsed) : 0U;
             const double o0 = (double)left_o;
             double l1;
             double l2;
             double l3;
-            if (8.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                const double r2 = 1.0 / (o0 - 2.0);
-                l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.4049846310800092;
-                const double s1 = (((-12098.699806867564) * r0) + 5834.153087954333) * r1;
-                l2 = ((s1 - 616.5581920200482) * r2) + 20.107642470674392;
-                const double s2 = ((90981.25917900148 * r0) - 29002.765439771665) * r1;
-                l3 = ((s2 + 2998.7909601002407) * r2) - 97.7033199358119;
+            if (o0 > 8.0) {
+                const double o0f2 = o0 * (o0 - 1.0);
+                const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+                const double s1 = (STAGE23_Q1_1 + (STAGE23_Q1_2 * o0) + (STAGE23_Q1_3 * o0f2)) * r0;
+                l1 = s1 - 0.4049846310800092;
+                const double s2 = (STAGE23_Q2_1 + (STAGE23_Q2_2 * o0) + (STAGE23_Q2_3 * o0f2)) * r0;
+                l2 = s2 + 20.107642470674392;
+                const double s3 = (STAGE23_Q3_1 + (STAGE23_Q3_2 * o0) + (STAGE23_Q3_3 * o0f2)) * r0;
+                l3 = s3 - 97.7033199358119;
             } else if (left_o == 8U) {
-                l1 = 1.0950153689199909;
-                l2 = 15.297392853547647;
-                l3 = 98.32269091567703;
+                l1 = STAGE23_E0_1;
+                l2 = STAGE23_E0_2;
+                l3 = STAGE23_E0_3;
             } else if (left_o == 7U) {
-                l1 = 1.309301083205705;
-                l2 = 6.605837883444068;
-                l3 = -407.1438225313707;
+                l1 = STAGE23_E1_1;
+                l2 = STAGE23_E1_2;
+                l3 = STAGE23_E1_3;
             } else {
-                l1 = 2.5950153689199906;
-                l2 = 180.07490250022406;
-                l3 = 358.78371927742626;
+                l1 = STAGE23_E2_1;
+                l2 = STAGE23_E2_2;
+                l3 = STAGE23_E2_3;
             }
-            const double s3 = x1 + (0.009947226521739929 * x2);
-            const double x1_on = s3 + (0.00042458058725612934 * x3) + (l1 * off1);
-            const double s4 = (0.9892036123037478 * x2) + (0.07824323585459282 * x3);
-            const double x2_on = s4 + (l2 * off1);
-            const double s5 = ((-0.015648647170918566) * x2) + (0.605811756616243 * x3);
-            const double x3_on = s5 + (l3 * off1);
+            const double x1_on = x1 + (STAGE23_PHI1_2 * x2) + (STAGE23_PHI1_3 * x3) + (l1 * off1);
+            const double x2_on = (STAGE23_PHI2_2 * x2) + (STAGE23_PHI2_3 * x3) + (l2 * off1);
+            const double x3_on = (STAGE23_PHI3_2 * x2) + (STAGE23_PHI3_3 * x3) + (l3 * off1);
 
             /* The tracking error. */
             const double u_r = (0.07 * r[1]) + (0.05205 * r[2]) + (0.0017731666666666666 * r[3]);
@@ -155,21 +199,20 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
             if (elapsed < 46U) {
                 /* The exact law in samples. */
                 const double m0 = (double)(53U - elapsed);
-                const double s6 = ((-1072951.6050632286) * e1) + (11224.193450693596 * e2);
-                const double z1 = s6 - (404.795716419329 * e3);
-                const double z2 = ((-6164.422229232715) * e2) + (332.70200299979865 * e3);
-                const double z3 = (15.336789013047456 * e2) - (153.36789013047456 * e3);
-                const double s7 = (0.29792241063993585 * e2) + (8.220775893600642 * e3);
-                const double z4 = s7 - (16.0 * (self->u1 - self->u_r1));
-                const double s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-                const double s9 = ((-0.00824128170492625) * e2) - (0.20107642470674394 * e3);
-                const double s10 = s9 + (1.4049846310800091 * (self->u1 - self->u_r1));
-                v = (s8 / (m0 - 3.0)) + s10 + u_r;
+                const double z1 = (STAGE23_W1_1 * e1) + (STAGE23_W1_2 * e2) + (STAGE23_W1_3 * e3);
+                const double z2 = (STAGE23_W2_2 * e2) + (STAGE23_W2_3 * e3);
+                const double z3 = (STAGE23_W3_2 * e2) + (STAGE23_W3_3 * e3);
+                const double s4 = STAGE23_W4_4 * (self->u1 - self->u_r1);
+                const double z4 = (STAGE23_W4_2 * e2) + (STAGE23_W4_3 * e3) + s4;
+                const double m0f2 = m0 * (m0 - 1.0);
+                const double m0f3 = m0f2 * (m0 - 2.0);
+                const double s5 = STAGE23_C_4 * (self->u1 - self->u_r1);
+                const double s6 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+                v = s6 + ((STAGE23_C_2 * e2) + (STAGE23_C_3 * e3) + s5) + u_r;
             } else {
                 /* Deadbeat. */
-                const double s11 = ((-1277.3233393609864) * e1) - (37.174971411649004 * e2);
-                const double s12 = 2.5950153689199906 * (self->u1 - self->u_r1);
-                v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
+                const double s7 = (STAGE23_B_1 * e1) + (STAGE23_B_2 * e2) + (STAGE23_B_3 * e3);
+                v = s7 + (STAGE23_B_4 * (self->u1 - self->u_r1)) + u_r;
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)
@@ -177,7 +220,7 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
                 && PTC_FINITE_F64(x2_on)
                 && PTC_FINITE_F64(x3_on)) {
                 double u_now;
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     u_now = self->u_max;
                 } else if (v < -self->u_max) {
                     u_now = -self->u_max;
@@ -195,9 +238,9 @@ ptc_status stage23_step(stage23 *self, uint32_t k, const double y[1], const doub
                 self->x3_next = x3_on;
                 self->seen = 1U;
                 *u = u_now;
-                if ((self->u_max < v) || (v < -self->u_max)) {
+                if ((v > self->u_max) || (v < -self->u_max)) {
                     status = PTC_SATURATED;
-                } else if (elapsed < 50U) {
+                } else if (elapsed < STAGE23_SAMPLES) {
                     status = PTC_OK;
                 } else {
                     status = PTC_HOLD;

@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE23_EBC17119_HPP
-#define STAGE23_EBC17119_HPP
+#ifndef STAGE23_2FF4BCA9_HPP
+#define STAGE23_2FF4BCA9_HPP
 
 #include <array>
 #include <cfloat>
@@ -129,7 +129,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!(0.0 < params.u_max)) {
+        if (!(params.u_max > 0.0)) {
             return Status::Param;
         }
         const double u_max = params.u_max;
@@ -185,47 +185,44 @@ public:
             x2 = 0.0;
             x3 = 0.0;
         } else {
-            x1 = x1_next_ + (0.00014736313620654503 * u2_);
-            x2 = x2_next_ + (0.04245805872561294 * u2_);
-            x3 = x3_next_ + (0.7866781644184895 * u2_);
+            x1 = x1_next_ + (gamma1_ * u2_);
+            x2 = x2_next_ + (gamma2_ * u2_);
+            x3 = x3_next_ + (gamma3_ * u2_);
         }
 
         // Prediction of the next sample.
         const double miss1 = y[0] - x1;
         const double off1 = miss1;
-        const std::uint32_t left_o = (elapsed < 25U) ? (25U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
-        if (8.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.4049846310800092;
-            const double s1 = (((-12098.699806867564) * r0) + 5834.153087954333) * r1;
-            l2 = ((s1 - 616.5581920200482) * r2) + 20.107642470674392;
-            const double s2 = ((90981.25917900148 * r0) - 29002.765439771665) * r1;
-            l3 = ((s2 + 2998.7909601002407) * r2) - 97.7033199358119;
+        if (o0 > 8.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            const double s1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+            l1 = s1 - 0.4049846310800092;
+            const double s2 = (q2_1_ + (q2_2_ * o0) + (q2_3_ * o0f2)) * r0;
+            l2 = s2 + 20.107642470674392;
+            const double s3 = (q3_1_ + (q3_2_ * o0) + (q3_3_ * o0f2)) * r0;
+            l3 = s3 - 97.7033199358119;
         } else if (left_o == 8U) {
-            l1 = 1.0950153689199909;
-            l2 = 15.297392853547647;
-            l3 = 98.32269091567703;
+            l1 = e0_1_;
+            l2 = e0_2_;
+            l3 = e0_3_;
         } else if (left_o == 7U) {
-            l1 = 1.309301083205705;
-            l2 = 6.605837883444068;
-            l3 = -407.1438225313707;
+            l1 = e1_1_;
+            l2 = e1_2_;
+            l3 = e1_3_;
         } else {
-            l1 = 2.5950153689199906;
-            l2 = 180.07490250022406;
-            l3 = 358.78371927742626;
+            l1 = e2_1_;
+            l2 = e2_2_;
+            l3 = e2_3_;
         }
-        const double s3 = x1 + (0.009947226521739929 * x2);
-        const double x1_on = s3 + (0.00042458058725612934 * x3) + (l1 * off1);
-        const double s4 = (0.9892036123037478 * x2) + (0.07824323585459282 * x3);
-        const double x2_on = s4 + (l2 * off1);
-        const double s5 = ((-0.015648647170918566) * x2) + (0.605811756616243 * x3);
-        const double x3_on = s5 + (l3 * off1);
+        const double x1_on = x1 + (phi1_2_ * x2) + (phi1_3_ * x3) + (l1 * off1);
+        const double x2_on = (phi2_2_ * x2) + (phi2_3_ * x3) + (l2 * off1);
+        const double x3_on = (phi3_2_ * x2) + (phi3_3_ * x3) + (l3 * off1);
 
         // The tracking error.
         const double u_r = (0.07 * r[1]) + (0.05205 * r[2]) + (0.0017731666666666666 * r[3]);
@@ -236,27 +233,26 @@ public:
         if (elapsed < 46U) {
             // The exact law in samples.
             const double m0 = static_cast<double>(53U - elapsed);
-            const double s6 = ((-1072951.6050632286) * e1) + (11224.193450693596 * e2);
-            const double z1 = s6 - (404.795716419329 * e3);
-            const double z2 = ((-6164.422229232715) * e2) + (332.70200299979865 * e3);
-            const double z3 = (15.336789013047456 * e2) - (153.36789013047456 * e3);
-            const double s7 = (0.29792241063993585 * e2) + (8.220775893600642 * e3);
-            const double z4 = s7 - (16.0 * (u1_ - u_r1_));
-            const double s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            const double s9 = ((-0.00824128170492625) * e2) - (0.20107642470674394 * e3);
-            const double s10 = s9 + (1.4049846310800091 * (u1_ - u_r1_));
-            v = (s8 / (m0 - 3.0)) + s10 + u_r;
+            const double z1 = (w1_1_ * e1) + (w1_2_ * e2) + (w1_3_ * e3);
+            const double z2 = (w2_2_ * e2) + (w2_3_ * e3);
+            const double z3 = (w3_2_ * e2) + (w3_3_ * e3);
+            const double s4 = w4_4_ * (u1_ - u_r1_);
+            const double z4 = (w4_2_ * e2) + (w4_3_ * e3) + s4;
+            const double m0f2 = m0 * (m0 - 1.0);
+            const double m0f3 = m0f2 * (m0 - 2.0);
+            const double s5 = c_4_ * (u1_ - u_r1_);
+            const double s6 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = s6 + ((c_2_ * e2) + (c_3_ * e3) + s5) + u_r;
         } else {
             // Deadbeat.
-            const double s11 = ((-1277.3233393609864) * e1) - (37.174971411649004 * e2);
-            const double s12 = 2.5950153689199906 * (u1_ - u_r1_);
-            v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
+            const double s7 = (b_1_ * e1) + (b_2_ * e2) + (b_3_ * e3);
+            v = s7 + (b_4_ * (u1_ - u_r1_)) + u_r;
         }
         if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -273,9 +269,9 @@ public:
         x3_hat_ = x3;
         x3_next_ = x3_on;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (elapsed < 50U) {
+        } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
         } else {
             return {u_now, Status::Hold};
@@ -299,6 +295,98 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Prediction from u.
+    static constexpr double gamma1_{0.00014736313620654503};
+    /// Prediction from u.
+    static constexpr double gamma2_{0.04245805872561294};
+    /// Prediction from u.
+    static constexpr double gamma3_{0.7866781644184895};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{25U};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{24.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-24.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{12.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{-12098.699806867564};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{5834.153087954333};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_3_{-616.5581920200482};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{90981.25917900148};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_2_{-29002.765439771665};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_3_{2998.7909601002407};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_{1.0950153689199909};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_{15.297392853547647};
+    /// Gain of the observer at its end.
+    static constexpr double e0_3_{98.32269091567703};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_{1.309301083205705};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_{6.605837883444068};
+    /// Gain of the observer at its end.
+    static constexpr double e1_3_{-407.1438225313707};
+    /// Gain of the observer at its end.
+    static constexpr double e2_1_{2.5950153689199906};
+    /// Gain of the observer at its end.
+    static constexpr double e2_2_{180.07490250022406};
+    /// Gain of the observer at its end.
+    static constexpr double e2_3_{358.78371927742626};
+    /// Prediction of x1 from x2.
+    static constexpr double phi1_2_{0.009947226521739929};
+    /// Prediction of x1 from x3.
+    static constexpr double phi1_3_{0.00042458058725612934};
+    /// Prediction of x2 from x2.
+    static constexpr double phi2_2_{0.9892036123037478};
+    /// Prediction of x2 from x3.
+    static constexpr double phi2_3_{0.07824323585459282};
+    /// Prediction of x3 from x2.
+    static constexpr double phi3_2_{-0.015648647170918566};
+    /// Prediction of x3 from x3.
+    static constexpr double phi3_3_{0.605811756616243};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-1072951.6050632286};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{11224.193450693596};
+    /// Weight of x3 in the law.
+    static constexpr double w1_3_{-404.795716419329};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-6164.422229232715};
+    /// Weight of x3 in the law.
+    static constexpr double w2_3_{332.70200299979865};
+    /// Weight of x2 in the law.
+    static constexpr double w3_2_{15.336789013047456};
+    /// Weight of x3 in the law.
+    static constexpr double w3_3_{-153.36789013047456};
+    /// Weight of u1 in the law.
+    static constexpr double w4_4_{-16.0};
+    /// Weight of x2 in the law.
+    static constexpr double w4_2_{0.29792241063993585};
+    /// Weight of x3 in the law.
+    static constexpr double w4_3_{8.220775893600642};
+    /// Weight of u1 in the law.
+    static constexpr double c_4_{1.4049846310800091};
+    /// Weight of x2 in the law.
+    static constexpr double c_2_{-0.00824128170492625};
+    /// Weight of x3 in the law.
+    static constexpr double c_3_{-0.20107642470674394};
+    /// Weight of x1 in the law.
+    static constexpr double b_1_{-1277.3233393609864};
+    /// Weight of x2 in the law.
+    static constexpr double b_2_{-37.174971411649004};
+    /// Weight of x3 in the law.
+    static constexpr double b_3_{-3.523659928569286};
+    /// Weight of u1 in the law.
+    static constexpr double b_4_{-2.5950153689199906};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{50U};
 
     std::uint32_t start_{}; // tick at which it was armed
     double u1_{}; // input of the last sample

@@ -117,6 +117,99 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(0.00014736313620654503)
+# Prediction from u.
+_GAMMA2 = _R(0.04245805872561294)
+# Prediction from u.
+_GAMMA3 = _R(0.7866781644184895)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 25
+# Weight in the observer's gain l1.
+_Q1_1 = _R(24.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-24.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-12098.699806867564)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(5834.153087954333)
+# Weight in the observer's gain l2.
+_Q2_3 = _R(-616.5581920200482)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(90981.25917900148)
+# Weight in the observer's gain l3.
+_Q3_2 = _R(-29002.765439771665)
+# Weight in the observer's gain l3.
+_Q3_3 = _R(2998.7909601002407)
+# Gain of the observer at its end.
+_E0_1 = _R(1.0950153689199909)
+# Gain of the observer at its end.
+_E0_2 = _R(15.297392853547647)
+# Gain of the observer at its end.
+_E0_3 = _R(98.32269091567703)
+# Gain of the observer at its end.
+_E1_1 = _R(1.309301083205705)
+# Gain of the observer at its end.
+_E1_2 = _R(6.605837883444068)
+# Gain of the observer at its end.
+_E1_3 = _R(-407.1438225313707)
+# Gain of the observer at its end.
+_E2_1 = _R(2.5950153689199906)
+# Gain of the observer at its end.
+_E2_2 = _R(180.07490250022406)
+# Gain of the observer at its end.
+_E2_3 = _R(358.78371927742626)
+# Prediction of x1 from x2.
+_PHI1_2 = _R(0.009947226521739929)
+# Prediction of x1 from x3.
+_PHI1_3 = _R(0.00042458058725612934)
+# Prediction of x2 from x2.
+_PHI2_2 = _R(0.9892036123037478)
+# Prediction of x2 from x3.
+_PHI2_3 = _R(0.07824323585459282)
+# Prediction of x3 from x2.
+_PHI3_2 = _R(-0.015648647170918566)
+# Prediction of x3 from x3.
+_PHI3_3 = _R(0.605811756616243)
+# Weight of x1 in the law.
+_W1_1 = _R(-1072951.6050632286)
+# Weight of x2 in the law.
+_W1_2 = _R(11224.193450693596)
+# Weight of x3 in the law.
+_W1_3 = _R(-404.795716419329)
+# Weight of x2 in the law.
+_W2_2 = _R(-6164.422229232715)
+# Weight of x3 in the law.
+_W2_3 = _R(332.70200299979865)
+# Weight of x2 in the law.
+_W3_2 = _R(15.336789013047456)
+# Weight of x3 in the law.
+_W3_3 = _R(-153.36789013047456)
+# Weight of u1 in the law.
+_W4_4 = _R(-16.0)
+# Weight of x2 in the law.
+_W4_2 = _R(0.29792241063993585)
+# Weight of x3 in the law.
+_W4_3 = _R(8.220775893600642)
+# Weight of u1 in the law.
+_C_4 = _R(1.4049846310800091)
+# Weight of x2 in the law.
+_C_2 = _R(-0.00824128170492625)
+# Weight of x3 in the law.
+_C_3 = _R(-0.20107642470674394)
+# Weight of x1 in the law.
+_B_1 = _R(-1277.3233393609864)
+# Weight of x2 in the law.
+_B_2 = _R(-37.174971411649004)
+# Weight of x3 in the law.
+_B_3 = _R(-3.523659928569286)
+# Weight of u1 in the law.
+_B_4 = _R(-2.5950153689199906)
+# Samples from the start to rest.
+_SAMPLES = 50
+
 class Stage23:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -126,7 +219,7 @@ class Stage23:
     def __init__(self, params: Params) -> None:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             u_max = given_u_max
             self._start = 0
@@ -187,42 +280,39 @@ class Stage23:
                 x2 = _R(0.0)
                 x3 = _R(0.0)
             else:
-                x1 = self._x1_next + (0.00014736313620654503 * self._u2)
-                x2 = self._x2_next + (0.04245805872561294 * self._u2)
-                x3 = self._x3_next + (0.7866781644184895 * self._u2)
+                x1 = self._x1_next + (_GAMMA1 * self._u2)
+                x2 = self._x2_next + (_GAMMA2 * self._u2)
+                x3 = self._x3_next + (_GAMMA3 * self._u2)
 
             # Prediction of the next sample.
             miss1 = y[0] - x1
             off1 = miss1
-            left_o = max(25 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if 8.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.4049846310800092
-                s1 = (((-12098.699806867564) * r0) + 5834.153087954333) * r1
-                l2 = ((s1 - 616.5581920200482) * r2) + 20.107642470674392
-                s2 = ((90981.25917900148 * r0) - 29002.765439771665) * r1
-                l3 = ((s2 + 2998.7909601002407) * r2) - 97.7033199358119
+            if o0 > 8.0:
+                o0f2 = o0 * (o0 - 1.0)
+                r0 = 1.0 / (o0f2 * (o0 - 2.0))
+                s1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l1 = s1 - 0.4049846310800092
+                s2 = (_Q2_1 + (_Q2_2 * o0) + (_Q2_3 * o0f2)) * r0
+                l2 = s2 + 20.107642470674392
+                s3 = (_Q3_1 + (_Q3_2 * o0) + (_Q3_3 * o0f2)) * r0
+                l3 = s3 - 97.7033199358119
             elif left_o == 8:
-                l1 = _R(1.0950153689199909)
-                l2 = _R(15.297392853547647)
-                l3 = _R(98.32269091567703)
+                l1 = _E0_1
+                l2 = _E0_2
+                l3 = _E0_3
             elif left_o == 7:
-                l1 = _R(1.309301083205705)
-                l2 = _R(6.605837883444068)
-                l3 = _R(-407.1438225313707)
+                l1 = _E1_1
+                l2 = _E1_2
+                l3 = _E1_3
             else:
-                l1 = _R(2.5950153689199906)
-                l2 = _R(180.07490250022406)
-                l3 = _R(358.78371927742626)
-            s3 = x1 + (0.009947226521739929 * x2)
-            x1_on = s3 + (0.00042458058725612934 * x3) + (l1 * off1)
-            s4 = (0.9892036123037478 * x2) + (0.07824323585459282 * x3)
-            x2_on = s4 + (l2 * off1)
-            s5 = ((-0.015648647170918566) * x2) + (0.605811756616243 * x3)
-            x3_on = s5 + (l3 * off1)
+                l1 = _E2_1
+                l2 = _E2_2
+                l3 = _E2_3
+            x1_on = x1 + (_PHI1_2 * x2) + (_PHI1_3 * x3) + (l1 * off1)
+            x2_on = (_PHI2_2 * x2) + (_PHI2_3 * x3) + (l2 * off1)
+            x3_on = (_PHI3_2 * x2) + (_PHI3_3 * x3) + (l3 * off1)
 
             # The tracking error.
             u_r = (0.07 * r[1]) + (0.05205 * r[2]) + (0.0017731666666666666 * r[3])
@@ -232,21 +322,20 @@ class Stage23:
             if elapsed < 46:
                 # The exact law in samples.
                 m0 = _R((53 - elapsed) & _WRAP)
-                s6 = ((-1072951.6050632286) * e1) + (11224.193450693596 * e2)
-                z1 = s6 - (404.795716419329 * e3)
-                z2 = ((-6164.422229232715) * e2) + (332.70200299979865 * e3)
-                z3 = (15.336789013047456 * e2) - (153.36789013047456 * e3)
-                s7 = (0.29792241063993585 * e2) + (8.220775893600642 * e3)
-                z4 = s7 - (16.0 * (self._u1 - self._u_r1))
-                s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4
-                s9 = ((-0.00824128170492625) * e2) - (0.20107642470674394 * e3)
-                s10 = s9 + (1.4049846310800091 * (self._u1 - self._u_r1))
-                v = (s8 / (m0 - 3.0)) + s10 + u_r
+                z1 = (_W1_1 * e1) + (_W1_2 * e2) + (_W1_3 * e3)
+                z2 = (_W2_2 * e2) + (_W2_3 * e3)
+                z3 = (_W3_2 * e2) + (_W3_3 * e3)
+                s4 = _W4_4 * (self._u1 - self._u_r1)
+                z4 = (_W4_2 * e2) + (_W4_3 * e3) + s4
+                m0f2 = m0 * (m0 - 1.0)
+                m0f3 = m0f2 * (m0 - 2.0)
+                s5 = _C_4 * (self._u1 - self._u_r1)
+                s6 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0))
+                v = s6 + ((_C_2 * e2) + (_C_3 * e3) + s5) + u_r
             else:
                 # Deadbeat.
-                s11 = ((-1277.3233393609864) * e1) - (37.174971411649004 * e2)
-                s12 = 2.5950153689199906 * (self._u1 - self._u_r1)
-                v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r
+                s7 = (_B_1 * e1) + (_B_2 * e2) + (_B_3 * e3)
+                v = s7 + (_B_4 * (self._u1 - self._u_r1)) + u_r
             if not (
                 np.isfinite(v)
                 and np.isfinite(x1_on)
@@ -254,7 +343,7 @@ class Stage23:
                 and np.isfinite(x3_on)
             ):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -270,9 +359,9 @@ class Stage23:
             self._x3_hat = x3
             self._x3_next = x3_on
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
-            elif elapsed < 50:
+            elif elapsed < _SAMPLES:
                 return Control(u_now, Status.OK)
             else:
                 return Control(u_now, Status.HOLD)

@@ -176,12 +176,105 @@ pub struct Stage23 {
     clippy::nursery
 )]
 impl Stage23 {
+    /// Prediction from u.
+    const GAMMA1: f64 = 0.00014736313620654503;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.04245805872561294;
+    /// Prediction from u.
+    const GAMMA3: f64 = 0.7866781644184895;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 25;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 24.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -24.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 12.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = -12098.699806867564;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = 5834.153087954333;
+    /// Weight in the observer's gain l2.
+    const Q2_3: f64 = -616.5581920200482;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = 90981.25917900148;
+    /// Weight in the observer's gain l3.
+    const Q3_2: f64 = -29002.765439771665;
+    /// Weight in the observer's gain l3.
+    const Q3_3: f64 = 2998.7909601002407;
+    /// Gain of the observer at its end.
+    const E0_1: f64 = 1.0950153689199909;
+    /// Gain of the observer at its end.
+    const E0_2: f64 = 15.297392853547647;
+    /// Gain of the observer at its end.
+    const E0_3: f64 = 98.32269091567703;
+    /// Gain of the observer at its end.
+    const E1_1: f64 = 1.309301083205705;
+    /// Gain of the observer at its end.
+    const E1_2: f64 = 6.605837883444068;
+    /// Gain of the observer at its end.
+    const E1_3: f64 = -407.1438225313707;
+    /// Gain of the observer at its end.
+    const E2_1: f64 = 2.5950153689199906;
+    /// Gain of the observer at its end.
+    const E2_2: f64 = 180.07490250022406;
+    /// Gain of the observer at its end.
+    const E2_3: f64 = 358.78371927742626;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.009947226521739929;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f64 = 0.00042458058725612934;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9892036123037478;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f64 = 0.07824323585459282;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f64 = -0.015648647170918566;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f64 = 0.605811756616243;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -1072951.6050632286;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 11224.193450693596;
+    /// Weight of x3 in the law.
+    const W1_3: f64 = -404.795716419329;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -6164.422229232715;
+    /// Weight of x3 in the law.
+    const W2_3: f64 = 332.70200299979865;
+    /// Weight of x2 in the law.
+    const W3_2: f64 = 15.336789013047456;
+    /// Weight of x3 in the law.
+    const W3_3: f64 = -153.36789013047456;
+    /// Weight of u1 in the law.
+    const W4_4: f64 = -16.0;
+    /// Weight of x2 in the law.
+    const W4_2: f64 = 0.29792241063993585;
+    /// Weight of x3 in the law.
+    const W4_3: f64 = 8.220775893600642;
+    /// Weight of u1 in the law.
+    const C_4: f64 = 1.4049846310800091;
+    /// Weight of x2 in the law.
+    const C_2: f64 = -0.00824128170492625;
+    /// Weight of x3 in the law.
+    const C_3: f64 = -0.20107642470674394;
+    /// Weight of x1 in the law.
+    const B_1: f64 = -1277.3233393609864;
+    /// Weight of x2 in the law.
+    const B_2: f64 = -37.174971411649004;
+    /// Weight of x3 in the law.
+    const B_3: f64 = -3.523659928569286;
+    /// Weight of u1 in the law.
+    const B_4: f64 = -2.5950153689199906;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 50;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage23Params) -> Result<Self, Error> {
-        if !(0.0 < params.u_max) {
+        if !(params.u_max > 0.0) {
             return Err(Error::Param);
         }
         let u_max = params.u_max;
@@ -245,47 +338,44 @@ impl Stage23 {
             x2 = 0.0;
             x3 = 0.0;
         } else {
-            x1 = self.x1_next + (0.00014736313620654503 * self.u2);
-            x2 = self.x2_next + (0.04245805872561294 * self.u2);
-            x3 = self.x3_next + (0.7866781644184895 * self.u2);
+            x1 = self.x1_next + (Self::GAMMA1 * self.u2);
+            x2 = self.x2_next + (Self::GAMMA2 * self.u2);
+            x3 = self.x3_next + (Self::GAMMA3 * self.u2);
         }
 
         // Prediction of the next sample.
         let miss1 = y[0] - x1;
         let off1 = miss1;
-        let left_o = 25_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.4049846310800092;
-            let s1 = (((-12098.699806867564) * r0) + 5834.153087954333) * r1;
-            l2 = ((s1 - 616.5581920200482) * r2) + 20.107642470674392;
-            let s2 = ((90981.25917900148 * r0) - 29002.765439771665) * r1;
-            l3 = ((s2 + 2998.7909601002407) * r2) - 97.7033199358119;
+        if o0 > 8.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            let s1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+            l1 = s1 - 0.4049846310800092;
+            let s2 = (Self::Q2_1 + (Self::Q2_2 * o0) + (Self::Q2_3 * o0f2)) * r0;
+            l2 = s2 + 20.107642470674392;
+            let s3 = (Self::Q3_1 + (Self::Q3_2 * o0) + (Self::Q3_3 * o0f2)) * r0;
+            l3 = s3 - 97.7033199358119;
         } else if left_o == 8 {
-            l1 = 1.0950153689199909;
-            l2 = 15.297392853547647;
-            l3 = 98.32269091567703;
+            l1 = Self::E0_1;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
         } else if left_o == 7 {
-            l1 = 1.309301083205705;
-            l2 = 6.605837883444068;
-            l3 = -407.1438225313707;
+            l1 = Self::E1_1;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
         } else {
-            l1 = 2.5950153689199906;
-            l2 = 180.07490250022406;
-            l3 = 358.78371927742626;
+            l1 = Self::E2_1;
+            l2 = Self::E2_2;
+            l3 = Self::E2_3;
         }
-        let s3 = x1 + (0.009947226521739929 * x2);
-        let x1_on = s3 + (0.00042458058725612934 * x3) + (l1 * off1);
-        let s4 = (0.9892036123037478 * x2) + (0.07824323585459282 * x3);
-        let x2_on = s4 + (l2 * off1);
-        let s5 = ((-0.015648647170918566) * x2) + (0.605811756616243 * x3);
-        let x3_on = s5 + (l3 * off1);
+        let x1_on = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3) + (l1 * off1);
+        let x2_on = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3) + (l2 * off1);
+        let x3_on = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3) + (l3 * off1);
 
         // The tracking error.
         let u_r = (0.07 * r[1]) + (0.05205 * r[2]) + (0.0017731666666666666 * r[3]);
@@ -296,27 +386,26 @@ impl Stage23 {
         if elapsed < 46 {
             // The exact law in samples.
             let m0 = 53_u32.wrapping_sub(elapsed) as f64;
-            let s6 = ((-1072951.6050632286) * e1) + (11224.193450693596 * e2);
-            let z1 = s6 - (404.795716419329 * e3);
-            let z2 = ((-6164.422229232715) * e2) + (332.70200299979865 * e3);
-            let z3 = (15.336789013047456 * e2) - (153.36789013047456 * e3);
-            let s7 = (0.29792241063993585 * e2) + (8.220775893600642 * e3);
-            let z4 = s7 - (16.0 * (self.u1 - self.u_r1));
-            let s8 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            let s9 = ((-0.00824128170492625) * e2) - (0.20107642470674394 * e3);
-            let s10 = s9 + (1.4049846310800091 * (self.u1 - self.u_r1));
-            v = (s8 / (m0 - 3.0)) + s10 + u_r;
+            let z1 = (Self::W1_1 * e1) + (Self::W1_2 * e2) + (Self::W1_3 * e3);
+            let z2 = (Self::W2_2 * e2) + (Self::W2_3 * e3);
+            let z3 = (Self::W3_2 * e2) + (Self::W3_3 * e3);
+            let s4 = Self::W4_4 * (self.u1 - self.u_r1);
+            let z4 = (Self::W4_2 * e2) + (Self::W4_3 * e3) + s4;
+            let m0f2 = m0 * (m0 - 1.0);
+            let m0f3 = m0f2 * (m0 - 2.0);
+            let s5 = Self::C_4 * (self.u1 - self.u_r1);
+            let s6 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = s6 + ((Self::C_2 * e2) + (Self::C_3 * e3) + s5) + u_r;
         } else {
             // Deadbeat.
-            let s11 = ((-1277.3233393609864) * e1) - (37.174971411649004 * e2);
-            let s12 = 2.5950153689199906 * (self.u1 - self.u_r1);
-            v = ((s11 - (3.523659928569286 * e3)) - s12) + u_r;
+            let s7 = (Self::B_1 * e1) + (Self::B_2 * e2) + (Self::B_3 * e3);
+            v = s7 + (Self::B_4 * (self.u1 - self.u_r1)) + u_r;
         }
         if !(v.is_finite() && x1_on.is_finite() && x2_on.is_finite() && x3_on.is_finite()) {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -333,9 +422,9 @@ impl Stage23 {
         self.x3_hat = x3;
         self.x3_next = x3_on;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
-        } else if elapsed < 50 {
+        } else if elapsed < Self::SAMPLES {
             Status::Ok
         } else {
             Status::Hold

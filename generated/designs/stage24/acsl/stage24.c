@@ -32,12 +32,23 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE24_H 0.01f /* 1/100, sample period */
+#define STAGE24_W1_1 (-137042.42f) /* weight of x1 in the law */
+#define STAGE24_W1_2 69031.28f /* weight of x2 in the law */
+#define STAGE24_W2_1 1353.4108f /* weight of x1 in the law */
+#define STAGE24_W2_2 (-1082.7286f) /* weight of x2 in the law */
+#define STAGE24_C_1 (-5.658292f) /* weight of x1 in the law */
+#define STAGE24_C_2 4.3266335f /* weight of x2 in the law */
+#define STAGE24_B_1 (-6519.427f) /* weight of x1 in the law */
+#define STAGE24_B_2 3185.2085f /* weight of x2 in the law */
+#define STAGE24_SAMPLES 30U /* samples from the start to rest */
 ptc_status stage24_init(stage24 *self, const stage24_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0.0f < params->u_max) && PTC_FINITE_F32(params->size)) {
+        if ((params->u_max > 0.0f) && PTC_FINITE_F32(params->size)) {
             const float p_size = params->size;
             const float c_r4 = 2.0f * p_size;
             const float u_max = params->u_max;
@@ -78,7 +89,7 @@ ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float
             const float x2 = x[1];
 
             /* The tracking error. */
-            const float t = 0.01f * ((float)elapsed);
+            const float t = ((float)elapsed) * STAGE24_H;
             const float v_r1 = t * t;
             const float v_r2 = 1.0f + v_r1;
             const float v_r3 = (self->p_size * v_r1) / v_r2;
@@ -99,22 +110,22 @@ ptc_status stage24_step(const stage24 *self, uint32_t k, const float x[2], float
             if (elapsed < 28U) {
                 /* The exact law in samples. */
                 const float m0 = (float)(33U - elapsed);
-                const float z1 = ((-137042.42f) * e1) + (69031.28f * e2);
-                const float z2 = (1353.4108f * e1) - (1082.7286f * e2);
-                const float s4 = ((-5.658292f) * e1) + (4.3266335f * e2);
-                v = (((z1 / m0) + z2) / (m0 - 1.0f)) + s4 + u_r0;
+                const float z1 = (STAGE24_W1_1 * e1) + (STAGE24_W1_2 * e2);
+                const float z2 = (STAGE24_W2_1 * e1) + (STAGE24_W2_2 * e2);
+                const float s4 = (STAGE24_C_1 * e1) + (STAGE24_C_2 * e2);
+                v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0f))) + s4 + u_r0;
             } else {
                 /* Deadbeat. */
-                v = ((-6519.427f) * e1) + (3185.2085f * e2) + u_r0;
+                v = (STAGE24_B_1 * e1) + (STAGE24_B_2 * e2) + u_r0;
             }
             if (PTC_FINITE_F32(v)) {
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (elapsed < 30U) {
+                } else if (elapsed < STAGE24_SAMPLES) {
                     *u = v;
                     status = PTC_OK;
                 } else {

@@ -50,8 +50,8 @@
  *   loop: not checked: `size` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE24_DEBD9E68_HPP
-#define STAGE24_DEBD9E68_HPP
+#ifndef STAGE24_A3551CC8_HPP
+#define STAGE24_A3551CC8_HPP
 
 #include <array>
 #include <cfloat>
@@ -125,7 +125,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((0.0f < params.u_max) && finite(params.size))) {
+        if (!((params.u_max > 0.0f) && finite(params.size))) {
             return Status::Param;
         }
         const float p_size = params.size;
@@ -160,7 +160,7 @@ public:
         const float x2 = x[1];
 
         // The tracking error.
-        const float t = 0.01f * static_cast<float>(elapsed);
+        const float t = static_cast<float>(elapsed) * h_;
         const float v_r1 = t * t;
         const float v_r2 = 1.0f + v_r1;
         const float v_r3 = (p_size_ * v_r1) / v_r2;
@@ -181,20 +181,20 @@ public:
         if (elapsed < 28U) {
             // The exact law in samples.
             const float m0 = static_cast<float>(33U - elapsed);
-            const float z1 = ((-137042.42f) * e1) + (69031.28f * e2);
-            const float z2 = (1353.4108f * e1) - (1082.7286f * e2);
-            const float s4 = ((-5.658292f) * e1) + (4.3266335f * e2);
-            v = (((z1 / m0) + z2) / (m0 - 1.0f)) + s4 + u_r0;
+            const float z1 = (w1_1_ * e1) + (w1_2_ * e2);
+            const float z2 = (w2_1_ * e1) + (w2_2_ * e2);
+            const float s4 = (c_1_ * e1) + (c_2_ * e2);
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0f))) + s4 + u_r0;
         } else {
             // Deadbeat.
-            v = ((-6519.427f) * e1) + (3185.2085f * e2) + u_r0;
+            v = (b_1_ * e1) + (b_2_ * e2) + u_r0;
         }
         if (finite(v)) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {
                 return {-u_max_, Status::Saturated};
-            } else if (elapsed < 30U) {
+            } else if (elapsed < samples_) {
                 return {v, Status::Ok};
             } else {
                 return {v, Status::Hold};
@@ -210,6 +210,26 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// 1/100, sample period.
+    static constexpr float h_{0.01f};
+    /// Weight of x1 in the law.
+    static constexpr float w1_1_{-137042.42f};
+    /// Weight of x2 in the law.
+    static constexpr float w1_2_{69031.28f};
+    /// Weight of x1 in the law.
+    static constexpr float w2_1_{1353.4108f};
+    /// Weight of x2 in the law.
+    static constexpr float w2_2_{-1082.7286f};
+    /// Weight of x1 in the law.
+    static constexpr float c_1_{-5.658292f};
+    /// Weight of x2 in the law.
+    static constexpr float c_2_{4.3266335f};
+    /// Weight of x1 in the law.
+    static constexpr float b_1_{-6519.427f};
+    /// Weight of x2 in the law.
+    static constexpr float b_2_{3185.2085f};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{30U};
 
     std::uint32_t start_{}; // tick at which it was armed
     float p_size_{}; // parameter of an expression of the design

@@ -62,7 +62,7 @@ function self = stage24_init(params) %#codegen
 
 given.u_max = single(params.u_max);
 given.size = single(params.size);
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage24:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.size)

@@ -12,6 +12,16 @@ function [u, status] = stage24_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+h = single(0.009999999776482582); % 1/100, sample period
+w1_1 = -single(137042.421875); % weight of x1 in the law
+w1_2 = single(69031.28125); % weight of x2 in the law
+w2_1 = single(1353.4107666015625); % weight of x1 in the law
+w2_2 = -single(1082.7286376953125); % weight of x2 in the law
+c_1 = -single(5.658291816711426); % weight of x1 in the law
+c_2 = single(4.326633453369141); % weight of x2 in the law
+b_1 = -single(6519.4267578125); % weight of x1 in the law
+b_2 = single(3185.20849609375); % weight of x2 in the law
+samples = uint32(30); % samples from the start to rest
 u = single(0.0);
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -29,7 +39,7 @@ x1 = x(1);
 x2 = x(2);
 
 % The tracking error.
-t = single(0.009999999776482582) * single(elapsed);
+t = single(elapsed) * h;
 v_r1 = t * t;
 v_r2 = single(1.0) + v_r1;
 v_r3 = (self.p_size * v_r1) / v_r2;
@@ -49,22 +59,22 @@ e2 = x2 - x_r2;
 if elapsed < uint32(28)
     % The exact law in samples.
     m0 = single(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296)));
-    z1 = ((-single(137042.421875)) * e1) + (single(69031.28125) * e2);
-    z2 = (single(1353.4107666015625) * e1) - (single(1082.7286376953125) * e2);
-    s4 = ((-single(5.658291816711426)) * e1) + (single(4.326633453369141) * e2);
-    v = (((z1 / m0) + z2) / (m0 - single(1.0))) + s4 + u_r0;
+    z1 = (w1_1 * e1) + (w1_2 * e2);
+    z2 = (w2_1 * e1) + (w2_2 * e2);
+    s4 = (c_1 * e1) + (c_2 * e2);
+    v = ((z1 + (z2 * m0)) / (m0 * (m0 - single(1.0)))) + s4 + u_r0;
 else
     % Deadbeat.
-    v = ((-single(6519.4267578125)) * e1) + (single(3185.20849609375) * e2) + u_r0;
+    v = (b_1 * e1) + (b_2 * e2) + u_r0;
 end
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
     elseif v < -self.u_max
         u = -self.u_max;
         status = int32(2);
-    elseif elapsed < uint32(30)
+    elseif elapsed < samples
         u = v;
         status = int32(0);
     else

@@ -114,6 +114,27 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/100, sample period.
+_H = _R(_R(0.009999999776482582))
+# Weight of x1 in the law.
+_W1_1 = _R(-_R(137042.421875))
+# Weight of x2 in the law.
+_W1_2 = _R(_R(69031.28125))
+# Weight of x1 in the law.
+_W2_1 = _R(_R(1353.4107666015625))
+# Weight of x2 in the law.
+_W2_2 = _R(-_R(1082.7286376953125))
+# Weight of x1 in the law.
+_C_1 = _R(-_R(5.658291816711426))
+# Weight of x2 in the law.
+_C_2 = _R(_R(4.326633453369141))
+# Weight of x1 in the law.
+_B_1 = _R(-_R(6519.4267578125))
+# Weight of x2 in the law.
+_B_2 = _R(_R(3185.20849609375))
+# Samples from the start to rest.
+_SAMPLES = 30
+
 class Stage24:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -124,7 +145,7 @@ class Stage24:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
             given_size = _R(params.size)
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_size):
                 raise ValueError(f"params.size is {params.size}; legal: finite")
@@ -162,7 +183,7 @@ class Stage24:
             x2 = x[1]
 
             # The tracking error.
-            t = _R(0.009999999776482582) * _R(elapsed)
+            t = _R(elapsed) * _H
             v_r1 = t * t
             v_r2 = _R(1.0) + v_r1
             v_r3 = (self._p_size * v_r1) / v_r2
@@ -182,19 +203,19 @@ class Stage24:
             if elapsed < 28:
                 # The exact law in samples.
                 m0 = _R((33 - elapsed) & _WRAP)
-                z1 = ((-_R(137042.421875)) * e1) + (_R(69031.28125) * e2)
-                z2 = (_R(1353.4107666015625) * e1) - (_R(1082.7286376953125) * e2)
-                s4 = ((-_R(5.658291816711426)) * e1) + (_R(4.326633453369141) * e2)
-                v = (((z1 / m0) + z2) / (m0 - _R(1.0))) + s4 + u_r0
+                z1 = (_W1_1 * e1) + (_W1_2 * e2)
+                z2 = (_W2_1 * e1) + (_W2_2 * e2)
+                s4 = (_C_1 * e1) + (_C_2 * e2)
+                v = ((z1 + (z2 * m0)) / (m0 * (m0 - _R(1.0)))) + s4 + u_r0
             else:
                 # Deadbeat.
-                v = ((-_R(6519.4267578125)) * e1) + (_R(3185.20849609375) * e2) + u_r0
+                v = (_B_1 * e1) + (_B_2 * e2) + u_r0
             if np.isfinite(v):
-                if self._u_max < v:
+                if v > self._u_max:
                     return Control(self._u_max, Status.SATURATED)
                 elif v < -self._u_max:
                     return Control(-self._u_max, Status.SATURATED)
-                elif elapsed < 30:
+                elif elapsed < _SAMPLES:
                     return Control(v, Status.OK)
                 else:
                     return Control(v, Status.HOLD)

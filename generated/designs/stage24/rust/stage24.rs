@@ -157,12 +157,33 @@ pub struct Stage24 {
     clippy::nursery
 )]
 impl Stage24 {
+    /// 1/100, sample period.
+    const H: f32 = 0.01;
+    /// Weight of x1 in the law.
+    const W1_1: f32 = -137042.42;
+    /// Weight of x2 in the law.
+    const W1_2: f32 = 69031.28;
+    /// Weight of x1 in the law.
+    const W2_1: f32 = 1353.4108;
+    /// Weight of x2 in the law.
+    const W2_2: f32 = -1082.7286;
+    /// Weight of x1 in the law.
+    const C_1: f32 = -5.658292;
+    /// Weight of x2 in the law.
+    const C_2: f32 = 4.3266335;
+    /// Weight of x1 in the law.
+    const B_1: f32 = -6519.427;
+    /// Weight of x2 in the law.
+    const B_2: f32 = 3185.2085;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 30;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage24Params) -> Result<Self, Error> {
-        if !((0.0 < params.u_max) && params.size.is_finite()) {
+        if !((params.u_max > 0.0) && params.size.is_finite()) {
             return Err(Error::Param);
         }
         let p_size = params.size;
@@ -200,7 +221,7 @@ impl Stage24 {
         let x2 = x[1];
 
         // The tracking error.
-        let t = 0.01 * (elapsed as f32);
+        let t = (elapsed as f32) * Self::H;
         let v_r1 = t * t;
         let v_r2 = 1.0 + v_r1;
         let v_r3 = (self.p_size * v_r1) / v_r2;
@@ -221,20 +242,20 @@ impl Stage24 {
         if elapsed < 28 {
             // The exact law in samples.
             let m0 = 33_u32.wrapping_sub(elapsed) as f32;
-            let z1 = ((-137042.42) * e1) + (69031.28 * e2);
-            let z2 = (1353.4108 * e1) - (1082.7286 * e2);
-            let s4 = ((-5.658292) * e1) + (4.3266335 * e2);
-            v = (((z1 / m0) + z2) / (m0 - 1.0)) + s4 + u_r0;
+            let z1 = (Self::W1_1 * e1) + (Self::W1_2 * e2);
+            let z2 = (Self::W2_1 * e1) + (Self::W2_2 * e2);
+            let s4 = (Self::C_1 * e1) + (Self::C_2 * e2);
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) + s4 + u_r0;
         } else {
             // Deadbeat.
-            v = ((-6519.427) * e1) + (3185.2085 * e2) + u_r0;
+            v = (Self::B_1 * e1) + (Self::B_2 * e2) + u_r0;
         }
         let (u, status) = if v.is_finite() {
-            if self.u_max < v {
+            if v > self.u_max {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {
                 (-self.u_max, Status::Saturated)
-            } else if elapsed < 30 {
+            } else if elapsed < Self::SAMPLES {
                 (v, Status::Ok)
             } else {
                 (v, Status::Hold)

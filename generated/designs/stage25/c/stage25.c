@@ -33,6 +33,17 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE25_SAMPLES 30U /* samples from the start to rest */
+#define STAGE25_HOLD 4.0 /* samples to go at which the gains are held */
+#define STAGE25_W1_1_1 (-400.0) /* weight of x1 in the law */
+#define STAGE25_END_SAMPLES_2 6.0 /* samples to go at which the law of the end takes over */
+#define STAGE25_W1_1_2 (-135000.0) /* weight of x1 in the law */
+#define STAGE25_W1_2_2 675.0 /* weight of x2 in the law */
+#define STAGE25_W2_2_2 (-650.0) /* weight of x2 in the law */
+#define STAGE25_END1_1_2 (-120000.0) /* weight of x1 in the law */
+#define STAGE25_END1_2_2 600.0 /* weight of x2 in the law */
+#define STAGE25_END2_2_2 (-600.0) /* weight of x2 in the law */
 ptc_status stage25_init(stage25 *self, const stage25_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -75,28 +86,29 @@ ptc_status stage25_step(
             const double v1 = x[1] - x1_2;
             const double v2 = 1.0 + x1_1;
             const double x2_2 = v1 * v2;
-            const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
+            const uint32_t left = (elapsed < STAGE25_SAMPLES) ? (STAGE25_SAMPLES - elapsed) : 0U;
             const double s1 = ((double)left) - 1.0;
-            const double m0_1 = (s1 < 4.0) ? 4.0 : s1;
+            const double m0_1 = (s1 < STAGE25_HOLD) ? STAGE25_HOLD : s1;
             double law_1;
 
             /* The exact law in samples. */
-            const double z1_1 = (-400.0) * x1_1;
+            const double z1_1 = STAGE25_W1_1_1 * x1_1;
             law_1 = z1_1 / (m0_1 + 3.0);
             const double s2 = ((double)left) - 2.0;
-            const double m0_2 = (s2 < 4.0) ? 4.0 : s2;
+            const double m0_2 = (s2 < STAGE25_HOLD) ? STAGE25_HOLD : s2;
             double law_2;
-            if (6.0 < m0_2) {
+            if (m0_2 > STAGE25_END_SAMPLES_2) {
                 /* The exact law in samples. */
-                const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-                const double z2_2 = (-650.0) * x2_2;
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+                const double z1_2 = (STAGE25_W1_1_2 * x1_2) + (STAGE25_W1_2_2 * x2_2);
+                const double z2_2 = STAGE25_W2_2_2 * x2_2;
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
             } else {
                 /* The law of least energy to the end. */
                 const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
-                const double y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2);
-                const double y2_2 = (-600.0) * x2_2;
-                law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0);
+                const double y1_2 = (STAGE25_END1_1_2 * x1_2) + (STAGE25_END1_2_2 * x2_2);
+                const double y2_2 = STAGE25_END2_2_2 * x2_2;
+                const double m1f_21 = m1_2 + 2.0;
+                law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0));
             }
 
             /* The inputs that give all of them. */
@@ -106,7 +118,7 @@ ptc_status stage25_step(
             const double control1 = v2 * v4 * v5;
             const double s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
             const double control2 = s3 * v5;
-            if (4.0 < (double)left) {
+            if ((double)left > STAGE25_HOLD) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
@@ -116,7 +128,7 @@ ptc_status stage25_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (2.0 < control1) {
+                if (control1 > 2.0) {
                     u[0] = 2.0;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -127,7 +139,7 @@ ptc_status stage25_step(
                 } else {
                     /* neither */
                 }
-                if (3.0 < control2) {
+                if (control2 > 3.0) {
                     u[1] = 3.0;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

@@ -59,8 +59,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE25_EAB5B2FE_HPP
-#define STAGE25_EAB5B2FE_HPP
+#ifndef STAGE25_2DED160B_HPP
+#define STAGE25_2DED160B_HPP
 
 #include <array>
 #include <cfloat>
@@ -171,28 +171,29 @@ public:
         const double v1 = x[1] - x1_2;
         const double v2 = 1.0 + x1_1;
         const double x2_2 = v1 * v2;
-        const std::uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double s1 = static_cast<double>(left) - 1.0;
-        const double m0_1 = (s1 < 4.0) ? 4.0 : s1;
+        const double m0_1 = (s1 < hold_) ? hold_ : s1;
         double law_1{};
 
         // The exact law in samples.
-        const double z1_1 = (-400.0) * x1_1;
+        const double z1_1 = w1_1_1_ * x1_1;
         law_1 = z1_1 / (m0_1 + 3.0);
         const double s2 = static_cast<double>(left) - 2.0;
-        const double m0_2 = (s2 < 4.0) ? 4.0 : s2;
+        const double m0_2 = (s2 < hold_) ? hold_ : s2;
         double law_2{};
-        if (6.0 < m0_2) {
+        if (m0_2 > end_samples_2_) {
             // The exact law in samples.
-            const double z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-            const double z2_2 = (-650.0) * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            const double z1_2 = (w1_1_2_ * x1_2) + (w1_2_2_ * x2_2);
+            const double z2_2 = w2_2_2_ * x2_2;
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
         } else {
             // The law of least energy to the end.
             const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
-            const double y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2);
-            const double y2_2 = (-600.0) * x2_2;
-            law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0);
+            const double y1_2 = (end1_1_2_ * x1_2) + (end1_2_2_ * x2_2);
+            const double y2_2 = end2_2_2_ * x2_2;
+            const double m1f_21 = m1_2 + 2.0;
+            law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0));
         }
 
         // The inputs that give all of them.
@@ -202,7 +203,7 @@ public:
         const double control1 = v2 * v4 * v5;
         const double s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
         const double control2 = s3 * v5;
-        if (4.0 < static_cast<double>(left)) {
+        if (static_cast<double>(left) > hold_) {
             all.status = Status::Ok;
         } else {
             all.status = Status::Hold;
@@ -212,7 +213,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (2.0 < control1) {
+            if (control1 > 2.0) {
                 all.u[0] = 2.0;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -221,7 +222,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (3.0 < control2) {
+            if (control2 > 3.0) {
                 all.u[1] = 3.0;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -254,6 +255,26 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{30U};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{4.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_1_{-400.0};
+    /// Samples to go at which the law of the end takes over.
+    static constexpr double end_samples_2_{6.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_2_{-135000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_2_{675.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_2_{-650.0};
+    /// Weight of x1 in the law.
+    static constexpr double end1_1_2_{-120000.0};
+    /// Weight of x2 in the law.
+    static constexpr double end1_2_2_{600.0};
+    /// Weight of x2 in the law.
+    static constexpr double end2_2_2_{-600.0};
 
     std::uint32_t start_{}; // tick at which it was armed
 };

@@ -128,6 +128,27 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples from the start to rest.
+_SAMPLES = 30
+# Samples to go at which the gains are held.
+_HOLD = _R(4.0)
+# Weight of x1 in the law.
+_W1_1_1 = _R(-400.0)
+# Samples to go at which the law of the end takes over.
+_END_SAMPLES_2 = _R(6.0)
+# Weight of x1 in the law.
+_W1_1_2 = _R(-135000.0)
+# Weight of x2 in the law.
+_W1_2_2 = _R(675.0)
+# Weight of x2 in the law.
+_W2_2_2 = _R(-650.0)
+# Weight of x1 in the law.
+_END1_1_2 = _R(-120000.0)
+# Weight of x2 in the law.
+_END1_2_2 = _R(600.0)
+# Weight of x2 in the law.
+_END2_2_2 = _R(-600.0)
+
 class Stage25:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -169,26 +190,27 @@ class Stage25:
             v1 = x[1] - x1_2
             v2 = 1.0 + x1_1
             x2_2 = v1 * v2
-            left = max(30 - elapsed, 0)
+            left = max(_SAMPLES - elapsed, 0)
             s1 = _R(left) - 1.0
-            m0_1 = max(s1, _R(4.0))
+            m0_1 = max(s1, _HOLD)
 
             # The exact law in samples.
-            z1_1 = (-400.0) * x1_1
+            z1_1 = _W1_1_1 * x1_1
             law_1 = z1_1 / (m0_1 + 3.0)
             s2 = _R(left) - 2.0
-            m0_2 = max(s2, _R(4.0))
-            if 6.0 < m0_2:
+            m0_2 = max(s2, _HOLD)
+            if m0_2 > _END_SAMPLES_2:
                 # The exact law in samples.
-                z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2)
-                z2_2 = (-650.0) * x2_2
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)
+                z1_2 = (_W1_1_2 * x1_2) + (_W1_2_2 * x2_2)
+                z2_2 = _W2_2_2 * x2_2
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))
             else:
                 # The law of least energy to the end.
                 m1_2 = max(m0_2, _R(2.0))
-                y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2)
-                y2_2 = (-600.0) * x2_2
-                law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)
+                y1_2 = (_END1_1_2 * x1_2) + (_END1_2_2 * x2_2)
+                y2_2 = _END2_2_2 * x2_2
+                m1f_21 = m1_2 + 2.0
+                law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0))
 
             # The inputs that give all of them.
             v3 = (-x1_1) * 0.1
@@ -197,7 +219,7 @@ class Stage25:
             control1 = v2 * v4 * v5
             s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)))
             control2 = s3 * v5
-            if 4.0 < _R(left):
+            if _R(left) > _HOLD:
                 status = Status.OK
             else:
                 status = Status.HOLD
@@ -206,7 +228,7 @@ class Stage25:
                 axes[0] = status
                 u[1] = control2
                 axes[1] = status
-                if 2.0 < control1:
+                if control1 > 2.0:
                     u[0] = _R(2.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -214,7 +236,7 @@ class Stage25:
                     u[0] = _R(-2.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if 3.0 < control2:
+                if control2 > 3.0:
                     u[1] = _R(3.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

@@ -167,6 +167,27 @@ pub struct Stage25 {
     clippy::nursery
 )]
 impl Stage25 {
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 30;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 4.0;
+    /// Weight of x1 in the law.
+    const W1_1_1: f64 = -400.0;
+    /// Samples to go at which the law of the end takes over.
+    const END_SAMPLES_2: f64 = 6.0;
+    /// Weight of x1 in the law.
+    const W1_1_2: f64 = -135000.0;
+    /// Weight of x2 in the law.
+    const W1_2_2: f64 = 675.0;
+    /// Weight of x2 in the law.
+    const W2_2_2: f64 = -650.0;
+    /// Weight of x1 in the law.
+    const END1_1_2: f64 = -120000.0;
+    /// Weight of x2 in the law.
+    const END1_2_2: f64 = 600.0;
+    /// Weight of x2 in the law.
+    const END2_2_2: f64 = -600.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -205,28 +226,29 @@ impl Stage25 {
         let v1 = x[1] - x1_2;
         let v2 = 1.0 + x1_1;
         let x2_2 = v1 * v2;
-        let left = 30_u32.saturating_sub(elapsed);
+        let left = Self::SAMPLES.saturating_sub(elapsed);
         let s1 = (left as f64) - 1.0;
-        let m0_1 = if s1 < 4.0 { 4.0 } else { s1 };
+        let m0_1 = if s1 < Self::HOLD { Self::HOLD } else { s1 };
         let law_1: f64;
 
         // The exact law in samples.
-        let z1_1 = (-400.0) * x1_1;
+        let z1_1 = Self::W1_1_1 * x1_1;
         law_1 = z1_1 / (m0_1 + 3.0);
         let s2 = (left as f64) - 2.0;
-        let m0_2 = if s2 < 4.0 { 4.0 } else { s2 };
+        let m0_2 = if s2 < Self::HOLD { Self::HOLD } else { s2 };
         let law_2: f64;
-        if 6.0 < m0_2 {
+        if m0_2 > Self::END_SAMPLES_2 {
             // The exact law in samples.
-            let z1_2 = ((-135000.0) * x1_2) + (675.0 * x2_2);
-            let z2_2 = (-650.0) * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            let z1_2 = (Self::W1_1_2 * x1_2) + (Self::W1_2_2 * x2_2);
+            let z2_2 = Self::W2_2_2 * x2_2;
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
         } else {
             // The law of least energy to the end.
             let m1_2 = if m0_2 < 2.0 { 2.0 } else { m0_2 };
-            let y1_2 = ((-120000.0) * x1_2) + (600.0 * x2_2);
-            let y2_2 = (-600.0) * x2_2;
-            law_2 = ((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0);
+            let y1_2 = (Self::END1_1_2 * x1_2) + (Self::END1_2_2 * x2_2);
+            let y2_2 = Self::END2_2_2 * x2_2;
+            let m1f_21 = m1_2 + 2.0;
+            law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0));
         }
 
         // The inputs that give all of them.
@@ -240,7 +262,7 @@ impl Stage25 {
         let control1 = v2 * v4 * v5;
         let s3 = ((-v1) * v4) + (law_2 - (((((-x[1]) * v2) - x2_2) * v2) + (v1 * v3)));
         let control2 = s3 * v5;
-        if 4.0 < (left as f64) {
+        if (left as f64) > Self::HOLD {
             status = Ok(Status::Ok);
         } else {
             status = Ok(Status::Hold);
@@ -250,7 +272,7 @@ impl Stage25 {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if 2.0 < control1 {
+            if control1 > 2.0 {
                 u[0] = 2.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -259,7 +281,7 @@ impl Stage25 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 3.0 < control2 {
+            if control2 > 3.0 {
                 u[1] = 3.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

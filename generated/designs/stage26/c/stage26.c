@@ -37,21 +37,21 @@ ptc_status stage26_init(stage26 *self, const stage26_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples)
+        if ((params->samples > 1U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (0.0f < params->u_max)
+            && (params->u_max > 0.0f)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)
+            && (params->deadbeat >= 0.0f)
             && PTC_FINITE_F32(params->m)) {
             const uint32_t samples = params->samples;
             const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
             const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-            const float deadbeat_1 = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat_1 = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float s3 = -(params->k[0] / (params->a * params->a));
             const float w1_1_1 = s3 * (1.0f / (params->h * params->h));
             const float s4 = (-0.5f) * (-(params->k[0] / (params->a * params->a)));
@@ -67,8 +67,8 @@ ptc_status stage26_init(stage26 *self, const stage26_params *params)
                 && PTC_FINITE_F32(w2_2_1)
                 && PTC_FINITE_F32(b_1_1)
                 && PTC_FINITE_F32(b_2_1)
-                && (1e-30f <= params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h) >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat_1 = deadbeat_1;
@@ -116,20 +116,20 @@ ptc_status stage26_step(
     float law_1;
     const float m0_2 = (float)left;
     float law_2;
-    if (self->deadbeat_1 < m0_1) {
+    if (m0_1 > self->deadbeat_1) {
         /* The exact law in samples. */
         const float z1_1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
         const float z2_1 = self->w2_2_1 * x2_1;
-        law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f);
+        law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0f));
     } else {
         /* Deadbeat. */
         law_1 = (self->b_1_1 * x1_1) + (self->b_2_1 * x2_1);
     }
-    if (self->deadbeat_1 < m0_2) {
+    if (m0_2 > self->deadbeat_1) {
         /* The exact law in samples. */
         const float z1_2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
         const float z2_2 = self->w2_2_1 * x2_2;
-        law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f);
+        law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0f));
     } else {
         /* Deadbeat. */
         law_2 = (self->b_1_1 * x1_2) + (self->b_2_1 * x2_2);
@@ -149,7 +149,7 @@ ptc_status stage26_step(
         axes[0] = status;
         u[1] = control2;
         axes[1] = status;
-        if (self->u_max < control1) {
+        if (control1 > self->u_max) {
             u[0] = self->u_max;
             axes[0] = PTC_SATURATED;
             status = PTC_SATURATED;
@@ -160,7 +160,7 @@ ptc_status stage26_step(
         } else {
             /* neither */
         }
-        if (self->u_max < control2) {
+        if (control2 > self->u_max) {
             u[1] = self->u_max;
             axes[1] = PTC_SATURATED;
             status = PTC_SATURATED;

@@ -56,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE26_67B214C9_H
-#define STAGE26_67B214C9_H
+#ifndef STAGE26_BD777360_H
+#define STAGE26_BD777360_H
 
 #include <stdint.h>
 
@@ -99,11 +99,11 @@ typedef struct stage26 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     float deadbeat_1; /* samples to go at which deadbeat takes over */
-    float w1_1_1; /* weight of a state in the law */
-    float w1_2_1; /* weight of a state in the law */
-    float w2_2_1; /* weight of a state in the law */
-    float b_1_1; /* weight of a state in the law */
-    float b_2_1; /* weight of a state in the law */
+    float w1_1_1; /* weight of x1 in the law */
+    float w1_2_1; /* weight of x2 in the law */
+    float w2_2_1; /* weight of x2 in the law */
+    float b_1_1; /* weight of x1 in the law */
+    float b_2_1; /* weight of x2 in the law */
     float p_m; /* parameter of an expression of the design */
     float u_max; /* bound of |u| */
 } stage26;

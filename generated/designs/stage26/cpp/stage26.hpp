@@ -56,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE26_F89E7C7B_HPP
-#define STAGE26_F89E7C7B_HPP
+#ifndef STAGE26_C6BBE6FF_HPP
+#define STAGE26_C6BBE6FF_HPP
 
 #include <array>
 #include <cfloat>
@@ -148,23 +148,23 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples)
+        if (!((params.samples > 1U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
-                && (0.0f < params.u_max)
+                && (params.u_max > 0.0f)
                 && (1e-18f <= params.a)
                 && (params.a <= 1e18f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat)
+                && (params.deadbeat >= 0.0f)
                 && finite(params.m))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const float s1 = ((params.k[1] / params.a) - 1.0f) + 2.0f;
         const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-        const float deadbeat_1 = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat_1 = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float s3 = -(params.k[0] / (params.a * params.a));
         const float w1_1_1 = s3 * (1.0f / (params.h * params.h));
         const float s4 = (-0.5f) * (-(params.k[0] / (params.a * params.a)));
@@ -180,8 +180,8 @@ public:
                 && finite(w2_2_1)
                 && finite(b_1_1)
                 && finite(b_2_1)
-                && (1e-30f <= params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h) >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -221,20 +221,20 @@ public:
         float law_1{};
         const float m0_2 = static_cast<float>(left);
         float law_2{};
-        if (deadbeat_1_ < m0_1) {
+        if (m0_1 > deadbeat_1_) {
             // The exact law in samples.
             const float z1_1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
             const float z2_1 = w2_2_1_ * x2_1;
-            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f);
+            law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0f));
         } else {
             // Deadbeat.
             law_1 = (b_1_1_ * x1_1) + (b_2_1_ * x2_1);
         }
-        if (deadbeat_1_ < m0_2) {
+        if (m0_2 > deadbeat_1_) {
             // The exact law in samples.
             const float z1_2 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
             const float z2_2 = w2_2_1_ * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f);
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0f));
         } else {
             // Deadbeat.
             law_2 = (b_1_1_ * x1_2) + (b_2_1_ * x2_2);
@@ -254,7 +254,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (u_max_ < control1) {
+            if (control1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -263,7 +263,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control2) {
+            if (control2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -300,11 +300,11 @@ private:
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     float deadbeat_1_{}; // samples to go at which deadbeat takes over
-    float w1_1_1_{}; // weight of a state in the law
-    float w1_2_1_{}; // weight of a state in the law
-    float w2_2_1_{}; // weight of a state in the law
-    float b_1_1_{}; // weight of a state in the law
-    float b_2_1_{}; // weight of a state in the law
+    float w1_1_1_{}; // weight of x1 in the law
+    float w1_2_1_{}; // weight of x2 in the law
+    float w2_2_1_{}; // weight of x2 in the law
+    float b_1_1_{}; // weight of x1 in the law
+    float b_2_1_{}; // weight of x2 in the law
     float p_m_{}; // parameter of an expression of the design
     float u_max_{}; // bound of |u|
 };

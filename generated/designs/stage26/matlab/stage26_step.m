@@ -33,20 +33,20 @@ x2_2 = x(4);
 left = self.samples - elapsed;
 m0_1 = single(left);
 m0_2 = single(left);
-if self.deadbeat_1 < m0_1
+if m0_1 > self.deadbeat_1
     % The exact law in samples.
     z1_1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
     z2_1 = self.w2_2_1 * x2_1;
-    law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - single(1.0));
+    law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - single(1.0)));
 else
     % Deadbeat.
     law_1 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
 end
-if self.deadbeat_1 < m0_2
+if m0_2 > self.deadbeat_1
     % The exact law in samples.
     z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
     z2_2 = self.w2_2_1 * x2_2;
-    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - single(1.0));
+    law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - single(1.0)));
 else
     % Deadbeat.
     law_2 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
@@ -66,7 +66,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if self.u_max < control1
+    if control1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -75,7 +75,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control2
+    if control2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

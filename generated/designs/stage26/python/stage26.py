@@ -158,11 +158,11 @@ class Stage26:
             given_k = _numbers(params.k, 2, "params.k")
             given_deadbeat = _R(params.deadbeat)
             given_m = _R(params.m)
-            if not (1 < given_samples):
+            if not (given_samples > 1):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
             if not (_R(1.000000045813705e-18) <= given_h <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.h is {params.h}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (_R(1.000000045813705e-18) <= given_a <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
@@ -170,14 +170,14 @@ class Stage26:
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             if not np.isfinite(given_m):
                 raise ValueError(f"params.m is {params.m}; legal: finite")
             samples = given_samples
             s1 = ((given_k[1] / given_a) - _R(1.0)) + _R(2.0)
             s2 = max(s1, _R(4.0))
-            deadbeat_1 = given_deadbeat if _R(0.0) < given_deadbeat else s2
+            deadbeat_1 = given_deadbeat if given_deadbeat > _R(0.0) else s2
             s3 = -(given_k[0] / (given_a * given_a))
             w1_1_1 = s3 * (_R(1.0) / (given_h * given_h))
             s4 = (-_R(0.5)) * (-(given_k[0] / (given_a * given_a)))
@@ -194,8 +194,8 @@ class Stage26:
                 and np.isfinite(w2_2_1)
                 and np.isfinite(b_1_1)
                 and np.isfinite(b_2_1)
-                and (_R(1.0000000031710769e-30) <= given_h * given_h)
-                and (_R(1.0000000031710769e-30) <= _R(1.0) / (given_h * given_h))
+                and (given_h * given_h >= _R(1.0000000031710769e-30))
+                and (_R(1.0) / (given_h * given_h) >= _R(1.0000000031710769e-30))
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -236,19 +236,19 @@ class Stage26:
             left = max(self._samples - elapsed, 0)
             m0_1 = _R(left)
             m0_2 = _R(left)
-            if self._deadbeat_1 < m0_1:
+            if m0_1 > self._deadbeat_1:
                 # The exact law in samples.
                 z1_1 = (self._w1_1_1 * x1_1) + (self._w1_2_1 * x2_1)
                 z2_1 = self._w2_2_1 * x2_1
-                law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - _R(1.0))
+                law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - _R(1.0)))
             else:
                 # Deadbeat.
                 law_1 = (self._b_1_1 * x1_1) + (self._b_2_1 * x2_1)
-            if self._deadbeat_1 < m0_2:
+            if m0_2 > self._deadbeat_1:
                 # The exact law in samples.
                 z1_2 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
                 z2_2 = self._w2_2_1 * x2_2
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - _R(1.0))
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - _R(1.0)))
             else:
                 # Deadbeat.
                 law_2 = (self._b_1_1 * x1_2) + (self._b_2_1 * x2_2)
@@ -266,7 +266,7 @@ class Stage26:
                 axes[0] = status
                 u[1] = control2
                 axes[1] = status
-                if self._u_max < control1:
+                if control1 > self._u_max:
                     u[0] = self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -274,7 +274,7 @@ class Stage26:
                     u[0] = -self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if self._u_max < control2:
+                if control2 > self._u_max:
                     u[1] = self._u_max
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

@@ -172,15 +172,15 @@ pub struct Stage26 {
     samples: u32,
     /// samples to go at which deadbeat takes over.
     deadbeat_1: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2_1: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2_1: f32,
     /// parameter of an expression of the design.
     p_m: f32,
@@ -202,16 +202,16 @@ impl Stage26 {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage26Params) -> Result<Self, Error> {
-        if !((1 < params.samples)
+        if !((params.samples > 1)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && (1e-18 <= params.a)
             && (params.a <= 1e18)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat)
+            && (params.deadbeat >= 0.0)
             && params.m.is_finite())
         {
             return Err(Error::Param);
@@ -219,7 +219,7 @@ impl Stage26 {
         let samples = params.samples;
         let s1 = ((params.k[1] / params.a) - 1.0) + 2.0;
         let s2 = if s1 < 4.0 { 4.0 } else { s1 };
-        let deadbeat_1 = if 0.0 < params.deadbeat {
+        let deadbeat_1 = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -239,8 +239,8 @@ impl Stage26 {
             && w2_2_1.is_finite()
             && b_1_1.is_finite()
             && b_2_1.is_finite()
-            && (1e-30 <= params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h) >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -284,20 +284,20 @@ impl Stage26 {
         let law_1: f32;
         let m0_2 = left as f32;
         let law_2: f32;
-        if self.deadbeat_1 < m0_1 {
+        if m0_1 > self.deadbeat_1 {
             // The exact law in samples.
             let z1_1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
             let z2_1 = self.w2_2_1 * x2_1;
-            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+            law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
         } else {
             // Deadbeat.
             law_1 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
         }
-        if self.deadbeat_1 < m0_2 {
+        if m0_2 > self.deadbeat_1 {
             // The exact law in samples.
             let z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
             let z2_2 = self.w2_2_1 * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
         } else {
             // Deadbeat.
             law_2 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
@@ -317,7 +317,7 @@ impl Stage26 {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if self.u_max < control1 {
+            if control1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -326,7 +326,7 @@ impl Stage26 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < control2 {
+            if control2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

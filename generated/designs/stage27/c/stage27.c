@@ -33,22 +33,26 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE27_END_SAMPLES_2 6.0 /* samples to go at which the law of the end takes over */
+#define STAGE27_END_SAMPLES_3 7.0 /* samples to go at which the law of the end takes over */
+#define STAGE27_END_SAMPLES_4 9.0 /* samples to go at which the law of the end takes over */
 ptc_status stage27_init(stage27 *self, const stage27_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples) && (1e-150 <= params->h) && (params->h <= 1e150)) {
+        if ((params->samples > 1U) && (1e-150 <= params->h) && (params->h <= 1e150)) {
             const uint32_t samples = params->samples;
             const double w1_1_1 = (-5.0) * (1.0 / params->h);
             const double w1_1_2 = (-18.75) * (1.0 / (params->h * params->h));
             const double w1_2_2 = 9.375 * (1.0 / params->h);
             const double w2_2_2 = (-7.75) * (1.0 / params->h);
-            const double q1_1_2 = (-20.0) * (1.0 / (params->h * params->h));
-            const double q1_2_2 = 10.0 * (1.0 / params->h);
-            const double q2_2_2 = (-8.0) * (1.0 / params->h);
+            const double end1_1_2 = (-20.0) * (1.0 / (params->h * params->h));
+            const double end1_2_2 = 10.0 * (1.0 / params->h);
+            const double end2_2_2 = (-8.0) * (1.0 / params->h);
             const double w1_1_3 = (-6.25) * (1.0 / params->h);
-            const double q1_1_3 = (-7.0) * (1.0 / params->h);
+            const double end1_1_3 = (-7.0) * (1.0 / params->h);
             const double w1_1_4 = (-23.4375) * (1.0 / (params->h * params->h));
             const double w1_2_4 = 11.71875 * (1.0 / params->h);
             const double w2_2_4 = (-9.625) * (1.0 / params->h);
@@ -56,27 +60,27 @@ ptc_status stage27_init(stage27 *self, const stage27_params *params)
                 && PTC_FINITE_F64(w1_1_2)
                 && PTC_FINITE_F64(w1_2_2)
                 && PTC_FINITE_F64(w2_2_2)
-                && PTC_FINITE_F64(q1_1_2)
-                && PTC_FINITE_F64(q1_2_2)
-                && PTC_FINITE_F64(q2_2_2)
+                && PTC_FINITE_F64(end1_1_2)
+                && PTC_FINITE_F64(end1_2_2)
+                && PTC_FINITE_F64(end2_2_2)
                 && PTC_FINITE_F64(w1_1_3)
-                && PTC_FINITE_F64(q1_1_3)
+                && PTC_FINITE_F64(end1_1_3)
                 && PTC_FINITE_F64(w1_1_4)
                 && PTC_FINITE_F64(w1_2_4)
                 && PTC_FINITE_F64(w2_2_4)
-                && (1e-200 <= params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->w1_1_1 = w1_1_1;
                 self->w1_1_2 = w1_1_2;
                 self->w1_2_2 = w1_2_2;
                 self->w2_2_2 = w2_2_2;
-                self->q1_1_2 = q1_1_2;
-                self->q1_2_2 = q1_2_2;
-                self->q2_2_2 = q2_2_2;
+                self->end1_1_2 = end1_1_2;
+                self->end1_2_2 = end1_2_2;
+                self->end2_2_2 = end2_2_2;
                 self->w1_1_3 = w1_1_3;
-                self->q1_1_3 = q1_1_3;
+                self->end1_1_3 = end1_1_3;
                 self->w1_1_4 = w1_1_4;
                 self->w1_2_4 = w1_2_4;
                 self->w2_2_4 = w2_2_4;
@@ -183,39 +187,41 @@ ptc_status stage27_step(
             double law_3;
             const double m0_4 = ((double)left) - 2.0;
             double law_4;
-            if (6.0 < m0_2) {
+            if (m0_2 > STAGE27_END_SAMPLES_2) {
                 /* The exact law in samples. */
                 const double z1_2 = (self->w1_1_2 * x1_2) + (self->w1_2_2 * x2_2);
                 const double z2_2 = self->w2_2_2 * x2_2;
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
             } else {
                 /* The law of least energy to the end. */
                 const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
-                const double y1_2 = (self->q1_1_2 * x1_2) + (self->q1_2_2 * x2_2);
-                const double y2_2 = self->q2_2_2 * x2_2;
-                law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
+                const double y1_2 = (self->end1_1_2 * x1_2) + (self->end1_2_2 * x2_2);
+                const double y2_2 = self->end2_2_2 * x2_2;
+                const double m1f_21 = m1_2 + 3.0;
+                law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 2.0));
             }
-            if (7.0 < m0_3) {
+            if (m0_3 > STAGE27_END_SAMPLES_3) {
                 /* The exact law in samples. */
                 const double z1_3 = self->w1_1_3 * x1_3;
                 law_3 = z1_3 / m0_3;
             } else {
                 /* The law of least energy to the end. */
                 const double m1_3 = (m0_3 < 1.0) ? 1.0 : m0_3;
-                const double y1_3 = self->q1_1_3 * x1_3;
+                const double y1_3 = self->end1_1_3 * x1_3;
                 law_3 = y1_3 / (m1_3 + 6.0);
             }
-            if (9.0 < m0_4) {
+            if (m0_4 > STAGE27_END_SAMPLES_4) {
                 /* The exact law in samples. */
                 const double z1_4 = (self->w1_1_4 * x1_4) + (self->w1_2_4 * x2_4);
                 const double z2_4 = self->w2_2_4 * x2_4;
-                law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
+                law_4 = (z1_4 + (z2_4 * m0_4)) / (m0_4 * (m0_4 - 1.0));
             } else {
                 /* The law of least energy to the end. */
                 const double m1_4 = (m0_4 < 2.0) ? 2.0 : m0_4;
-                const double y1_4 = (self->q1_1_2 * x1_4) + (self->q1_2_2 * x2_4);
-                const double y2_4 = self->q2_2_2 * x2_4;
-                law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
+                const double y1_4 = (self->end1_1_2 * x1_4) + (self->end1_2_2 * x2_4);
+                const double y2_4 = self->end2_2_2 * x2_4;
+                const double m1f_41 = m1_4 + 3.0;
+                law_4 = (y1_4 + (y2_4 * m1f_41)) / (m1f_41 * (m1_4 + 2.0));
             }
 
             /* The inputs that give all of them. */

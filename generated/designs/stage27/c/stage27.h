@@ -77,8 +77,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_BEE57ED4_H
-#define STAGE27_BEE57ED4_H
+#ifndef STAGE27_84E1A271_H
+#define STAGE27_84E1A271_H
 
 #include <stdint.h>
 
@@ -114,18 +114,18 @@ typedef struct stage27_params {
 typedef struct stage27 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
-    double w1_1_1; /* weight of a state in the law */
-    double w1_1_2; /* weight of a state in the law */
-    double w1_2_2; /* weight of a state in the law */
-    double w2_2_2; /* weight of a state in the law */
-    double q1_1_2; /* weight of a state in the law */
-    double q1_2_2; /* weight of a state in the law */
-    double q2_2_2; /* weight of a state in the law */
-    double w1_1_3; /* weight of a state in the law */
-    double q1_1_3; /* weight of a state in the law */
-    double w1_1_4; /* weight of a state in the law */
-    double w1_2_4; /* weight of a state in the law */
-    double w2_2_4; /* weight of a state in the law */
+    double w1_1_1; /* weight of x1 in the law */
+    double w1_1_2; /* weight of x1 in the law */
+    double w1_2_2; /* weight of x2 in the law */
+    double w2_2_2; /* weight of x2 in the law */
+    double end1_1_2; /* weight of x1 in the law */
+    double end1_2_2; /* weight of x2 in the law */
+    double end2_2_2; /* weight of x2 in the law */
+    double w1_1_3; /* weight of x1 in the law */
+    double end1_1_3; /* weight of x1 in the law */
+    double w1_1_4; /* weight of x1 in the law */
+    double w1_2_4; /* weight of x2 in the law */
+    double w2_2_4; /* weight of x2 in the law */
 } stage27;
 
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */

@@ -76,8 +76,8 @@
  *   zeros: sound: none: the relative degrees are 1, 2, 1, 2, whose sum is the number of
  *       states.
  */
-#ifndef STAGE27_80916032_HPP
-#define STAGE27_80916032_HPP
+#ifndef STAGE27_CF00F8DE_HPP
+#define STAGE27_CF00F8DE_HPP
 
 #include <array>
 #include <cfloat>
@@ -163,7 +163,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples) && (1e-150 <= params.h) && (params.h <= 1e150))) {
+        if (!((params.samples > 1U) && (1e-150 <= params.h) && (params.h <= 1e150))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -171,11 +171,11 @@ public:
         const double w1_1_2 = (-18.75) * (1.0 / (params.h * params.h));
         const double w1_2_2 = 9.375 * (1.0 / params.h);
         const double w2_2_2 = (-7.75) * (1.0 / params.h);
-        const double q1_1_2 = (-20.0) * (1.0 / (params.h * params.h));
-        const double q1_2_2 = 10.0 * (1.0 / params.h);
-        const double q2_2_2 = (-8.0) * (1.0 / params.h);
+        const double end1_1_2 = (-20.0) * (1.0 / (params.h * params.h));
+        const double end1_2_2 = 10.0 * (1.0 / params.h);
+        const double end2_2_2 = (-8.0) * (1.0 / params.h);
         const double w1_1_3 = (-6.25) * (1.0 / params.h);
-        const double q1_1_3 = (-7.0) * (1.0 / params.h);
+        const double end1_1_3 = (-7.0) * (1.0 / params.h);
         const double w1_1_4 = (-23.4375) * (1.0 / (params.h * params.h));
         const double w1_2_4 = 11.71875 * (1.0 / params.h);
         const double w2_2_4 = (-9.625) * (1.0 / params.h);
@@ -183,16 +183,16 @@ public:
                 && finite(w1_1_2)
                 && finite(w1_2_2)
                 && finite(w2_2_2)
-                && finite(q1_1_2)
-                && finite(q1_2_2)
-                && finite(q2_2_2)
+                && finite(end1_1_2)
+                && finite(end1_2_2)
+                && finite(end2_2_2)
                 && finite(w1_1_3)
-                && finite(q1_1_3)
+                && finite(end1_1_3)
                 && finite(w1_1_4)
                 && finite(w1_2_4)
                 && finite(w2_2_4)
-                && (1e-200 <= params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -201,11 +201,11 @@ public:
         w1_1_2_ = w1_1_2;
         w1_2_2_ = w1_2_2;
         w2_2_2_ = w2_2_2;
-        q1_1_2_ = q1_1_2;
-        q1_2_2_ = q1_2_2;
-        q2_2_2_ = q2_2_2;
+        end1_1_2_ = end1_1_2;
+        end1_2_2_ = end1_2_2;
+        end2_2_2_ = end2_2_2;
         w1_1_3_ = w1_1_3;
-        q1_1_3_ = q1_1_3;
+        end1_1_3_ = end1_1_3;
         w1_1_4_ = w1_1_4;
         w1_2_4_ = w1_2_4;
         w2_2_4_ = w2_2_4;
@@ -255,39 +255,41 @@ public:
         double law_3{};
         const double m0_4 = static_cast<double>(left) - 2.0;
         double law_4{};
-        if (6.0 < m0_2) {
+        if (m0_2 > end_samples_2_) {
             // The exact law in samples.
             const double z1_2 = (w1_1_2_ * x1_2) + (w1_2_2_ * x2_2);
             const double z2_2 = w2_2_2_ * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
         } else {
             // The law of least energy to the end.
             const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
-            const double y1_2 = (q1_1_2_ * x1_2) + (q1_2_2_ * x2_2);
-            const double y2_2 = q2_2_2_ * x2_2;
-            law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
+            const double y1_2 = (end1_1_2_ * x1_2) + (end1_2_2_ * x2_2);
+            const double y2_2 = end2_2_2_ * x2_2;
+            const double m1f_21 = m1_2 + 3.0;
+            law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 2.0));
         }
-        if (7.0 < m0_3) {
+        if (m0_3 > end_samples_3_) {
             // The exact law in samples.
             const double z1_3 = w1_1_3_ * x1_3;
             law_3 = z1_3 / m0_3;
         } else {
             // The law of least energy to the end.
             const double m1_3 = (m0_3 < 1.0) ? 1.0 : m0_3;
-            const double y1_3 = q1_1_3_ * x1_3;
+            const double y1_3 = end1_1_3_ * x1_3;
             law_3 = y1_3 / (m1_3 + 6.0);
         }
-        if (9.0 < m0_4) {
+        if (m0_4 > end_samples_4_) {
             // The exact law in samples.
             const double z1_4 = (w1_1_4_ * x1_4) + (w1_2_4_ * x2_4);
             const double z2_4 = w2_2_4_ * x2_4;
-            law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
+            law_4 = (z1_4 + (z2_4 * m0_4)) / (m0_4 * (m0_4 - 1.0));
         } else {
             // The law of least energy to the end.
             const double m1_4 = (m0_4 < 2.0) ? 2.0 : m0_4;
-            const double y1_4 = (q1_1_2_ * x1_4) + (q1_2_2_ * x2_4);
-            const double y2_4 = q2_2_2_ * x2_4;
-            law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
+            const double y1_4 = (end1_1_2_ * x1_4) + (end1_2_2_ * x2_4);
+            const double y2_4 = end2_2_2_ * x2_4;
+            const double m1f_41 = m1_4 + 3.0;
+            law_4 = (y1_4 + (y2_4 * m1f_41)) / (m1f_41 * (m1_4 + 2.0));
         }
 
         // The inputs that give all of them.
@@ -421,21 +423,27 @@ private:
         }
         return b;
     }
+    /// Samples to go at which the law of the end takes over.
+    static constexpr double end_samples_2_{6.0};
+    /// Samples to go at which the law of the end takes over.
+    static constexpr double end_samples_3_{7.0};
+    /// Samples to go at which the law of the end takes over.
+    static constexpr double end_samples_4_{9.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
-    double w1_1_1_{}; // weight of a state in the law
-    double w1_1_2_{}; // weight of a state in the law
-    double w1_2_2_{}; // weight of a state in the law
-    double w2_2_2_{}; // weight of a state in the law
-    double q1_1_2_{}; // weight of a state in the law
-    double q1_2_2_{}; // weight of a state in the law
-    double q2_2_2_{}; // weight of a state in the law
-    double w1_1_3_{}; // weight of a state in the law
-    double q1_1_3_{}; // weight of a state in the law
-    double w1_1_4_{}; // weight of a state in the law
-    double w1_2_4_{}; // weight of a state in the law
-    double w2_2_4_{}; // weight of a state in the law
+    double w1_1_1_{}; // weight of x1 in the law
+    double w1_1_2_{}; // weight of x1 in the law
+    double w1_2_2_{}; // weight of x2 in the law
+    double w2_2_2_{}; // weight of x2 in the law
+    double end1_1_2_{}; // weight of x1 in the law
+    double end1_2_2_{}; // weight of x2 in the law
+    double end2_2_2_{}; // weight of x2 in the law
+    double w1_1_3_{}; // weight of x1 in the law
+    double end1_1_3_{}; // weight of x1 in the law
+    double w1_1_4_{}; // weight of x1 in the law
+    double w1_2_4_{}; // weight of x2 in the law
+    double w2_2_4_{}; // weight of x2 in the law
 };
 
 } // namespace ptc

@@ -91,7 +91,7 @@ if given.samples ~= params.samples
     error('stage27:param', 'params.samples is %g; legal: 0..2^32 - 1', params.samples);
 end
 given.h = double(params.h);
-if ~(uint32(1) < given.samples)
+if ~(given.samples > uint32(1))
     error('stage27:param', 'params.samples is %g; legal: >= 2', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
@@ -102,11 +102,11 @@ w1_1_1 = (-5.0) * (1.0 / given.h);
 w1_1_2 = (-18.75) * (1.0 / (given.h * given.h));
 w1_2_2 = 9.375 * (1.0 / given.h);
 w2_2_2 = (-7.75) * (1.0 / given.h);
-q1_1_2 = (-20.0) * (1.0 / (given.h * given.h));
-q1_2_2 = 10.0 * (1.0 / given.h);
-q2_2_2 = (-8.0) * (1.0 / given.h);
+end1_1_2 = (-20.0) * (1.0 / (given.h * given.h));
+end1_2_2 = 10.0 * (1.0 / given.h);
+end2_2_2 = (-8.0) * (1.0 / given.h);
 w1_1_3 = (-6.25) * (1.0 / given.h);
-q1_1_3 = (-7.0) * (1.0 / given.h);
+end1_1_3 = (-7.0) * (1.0 / given.h);
 w1_1_4 = (-23.4375) * (1.0 / (given.h * given.h));
 w1_2_4 = 11.71875 * (1.0 / given.h);
 w2_2_4 = (-9.625) * (1.0 / given.h);
@@ -114,16 +114,16 @@ if ~(isfinite(w1_1_1) ...
     && isfinite(w1_1_2) ...
     && isfinite(w1_2_2) ...
     && isfinite(w2_2_2) ...
-    && isfinite(q1_1_2) ...
-    && isfinite(q1_2_2) ...
-    && isfinite(q2_2_2) ...
+    && isfinite(end1_1_2) ...
+    && isfinite(end1_2_2) ...
+    && isfinite(end2_2_2) ...
     && isfinite(w1_1_3) ...
-    && isfinite(q1_1_3) ...
+    && isfinite(end1_1_3) ...
     && isfinite(w1_1_4) ...
     && isfinite(w1_2_4) ...
     && isfinite(w2_2_4) ...
-    && (1e-200 <= given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h)))
+    && (given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h) >= 1e-200))
     error('stage27:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);
@@ -132,11 +132,11 @@ self.w1_1_1 = w1_1_1;
 self.w1_1_2 = w1_1_2;
 self.w1_2_2 = w1_2_2;
 self.w2_2_2 = w2_2_2;
-self.q1_1_2 = q1_1_2;
-self.q1_2_2 = q1_2_2;
-self.q2_2_2 = q2_2_2;
+self.end1_1_2 = end1_1_2;
+self.end1_2_2 = end1_2_2;
+self.end2_2_2 = end2_2_2;
 self.w1_1_3 = w1_1_3;
-self.q1_1_3 = q1_1_3;
+self.end1_1_3 = end1_1_3;
 self.w1_1_4 = w1_1_4;
 self.w1_2_4 = w1_2_4;
 self.w2_2_4 = w2_2_4;

@@ -14,6 +14,9 @@ function [u, axes, status] = stage27_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+end_samples_2 = 6.0; % samples to go at which the law of the end takes over
+end_samples_3 = 7.0; % samples to go at which the law of the end takes over
+end_samples_4 = 9.0; % samples to go at which the law of the end takes over
 u = zeros(4, 1, 'double');
 axes = repmat(int32(-2), 4, 1);
 k = double(k);
@@ -51,39 +54,41 @@ law_1 = z1_1 / (m0_1 + 4.0);
 m0_2 = double(left) - 2.0;
 m0_3 = double(left) - 1.0;
 m0_4 = double(left) - 2.0;
-if 6.0 < m0_2
+if m0_2 > end_samples_2
     % The exact law in samples.
     z1_2 = (self.w1_1_2 * x1_2) + (self.w1_2_2 * x2_2);
     z2_2 = self.w2_2_2 * x2_2;
-    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+    law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
 else
     % The law of least energy to the end.
     m1_2 = pick(m0_2 < 2.0, 2.0, m0_2);
-    y1_2 = (self.q1_1_2 * x1_2) + (self.q1_2_2 * x2_2);
-    y2_2 = self.q2_2_2 * x2_2;
-    law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
+    y1_2 = (self.end1_1_2 * x1_2) + (self.end1_2_2 * x2_2);
+    y2_2 = self.end2_2_2 * x2_2;
+    m1f_21 = m1_2 + 3.0;
+    law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 2.0));
 end
-if 7.0 < m0_3
+if m0_3 > end_samples_3
     % The exact law in samples.
     z1_3 = self.w1_1_3 * x1_3;
     law_3 = z1_3 / m0_3;
 else
     % The law of least energy to the end.
     m1_3 = pick(m0_3 < 1.0, 1.0, m0_3);
-    y1_3 = self.q1_1_3 * x1_3;
+    y1_3 = self.end1_1_3 * x1_3;
     law_3 = y1_3 / (m1_3 + 6.0);
 end
-if 9.0 < m0_4
+if m0_4 > end_samples_4
     % The exact law in samples.
     z1_4 = (self.w1_1_4 * x1_4) + (self.w1_2_4 * x2_4);
     z2_4 = self.w2_2_4 * x2_4;
-    law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
+    law_4 = (z1_4 + (z2_4 * m0_4)) / (m0_4 * (m0_4 - 1.0));
 else
     % The law of least energy to the end.
     m1_4 = pick(m0_4 < 2.0, 2.0, m0_4);
-    y1_4 = (self.q1_1_2 * x1_4) + (self.q1_2_2 * x2_4);
-    y2_4 = self.q2_2_2 * x2_4;
-    law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
+    y1_4 = (self.end1_1_2 * x1_4) + (self.end1_2_2 * x2_4);
+    y2_4 = self.end2_2_2 * x2_4;
+    m1f_41 = m1_4 + 3.0;
+    law_4 = (y1_4 + (y2_4 * m1f_41)) / (m1f_41 * (m1_4 + 2.0));
 end
 
 % The inputs that give all of them.

@@ -188,6 +188,13 @@ def _eliminate(given_b: Sequence[ArrayLike], given_a: Sequence[ArrayLike]) -> li
         b[k] = b[k] / a[(4 * k) + k]
     return b
 
+# Samples to go at which the law of the end takes over.
+_END_SAMPLES_2 = _R(6.0)
+# Samples to go at which the law of the end takes over.
+_END_SAMPLES_3 = _R(7.0)
+# Samples to go at which the law of the end takes over.
+_END_SAMPLES_4 = _R(9.0)
+
 class Stage27:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -200,7 +207,7 @@ class Stage27:
             if given_samples != given_samples & _WRAP:
                 raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
             given_h = _R(params.h)
-            if not (1 < given_samples):
+            if not (given_samples > 1):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
@@ -209,11 +216,11 @@ class Stage27:
             w1_1_2 = (-18.75) * (1.0 / (given_h * given_h))
             w1_2_2 = 9.375 * (1.0 / given_h)
             w2_2_2 = (-7.75) * (1.0 / given_h)
-            q1_1_2 = (-20.0) * (1.0 / (given_h * given_h))
-            q1_2_2 = 10.0 * (1.0 / given_h)
-            q2_2_2 = (-8.0) * (1.0 / given_h)
+            end1_1_2 = (-20.0) * (1.0 / (given_h * given_h))
+            end1_2_2 = 10.0 * (1.0 / given_h)
+            end2_2_2 = (-8.0) * (1.0 / given_h)
             w1_1_3 = (-6.25) * (1.0 / given_h)
-            q1_1_3 = (-7.0) * (1.0 / given_h)
+            end1_1_3 = (-7.0) * (1.0 / given_h)
             w1_1_4 = (-23.4375) * (1.0 / (given_h * given_h))
             w1_2_4 = 11.71875 * (1.0 / given_h)
             w2_2_4 = (-9.625) * (1.0 / given_h)
@@ -222,16 +229,16 @@ class Stage27:
                 and np.isfinite(w1_1_2)
                 and np.isfinite(w1_2_2)
                 and np.isfinite(w2_2_2)
-                and np.isfinite(q1_1_2)
-                and np.isfinite(q1_2_2)
-                and np.isfinite(q2_2_2)
+                and np.isfinite(end1_1_2)
+                and np.isfinite(end1_2_2)
+                and np.isfinite(end2_2_2)
                 and np.isfinite(w1_1_3)
-                and np.isfinite(q1_1_3)
+                and np.isfinite(end1_1_3)
                 and np.isfinite(w1_1_4)
                 and np.isfinite(w1_2_4)
                 and np.isfinite(w2_2_4)
-                and (1e-200 <= given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h))
+                and (given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -240,11 +247,11 @@ class Stage27:
             self._w1_1_2 = w1_1_2
             self._w1_2_2 = w1_2_2
             self._w2_2_2 = w2_2_2
-            self._q1_1_2 = q1_1_2
-            self._q1_2_2 = q1_2_2
-            self._q2_2_2 = q2_2_2
+            self._end1_1_2 = end1_1_2
+            self._end1_2_2 = end1_2_2
+            self._end2_2_2 = end2_2_2
             self._w1_1_3 = w1_1_3
-            self._q1_1_3 = q1_1_3
+            self._end1_1_3 = end1_1_3
             self._w1_1_4 = w1_1_4
             self._w1_2_4 = w1_2_4
             self._w2_2_4 = w2_2_4
@@ -298,37 +305,39 @@ class Stage27:
             m0_2 = _R(left) - 2.0
             m0_3 = _R(left) - 1.0
             m0_4 = _R(left) - 2.0
-            if 6.0 < m0_2:
+            if m0_2 > _END_SAMPLES_2:
                 # The exact law in samples.
                 z1_2 = (self._w1_1_2 * x1_2) + (self._w1_2_2 * x2_2)
                 z2_2 = self._w2_2_2 * x2_2
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))
             else:
                 # The law of least energy to the end.
                 m1_2 = max(m0_2, _R(2.0))
-                y1_2 = (self._q1_1_2 * x1_2) + (self._q1_2_2 * x2_2)
-                y2_2 = self._q2_2_2 * x2_2
-                law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0)
-            if 7.0 < m0_3:
+                y1_2 = (self._end1_1_2 * x1_2) + (self._end1_2_2 * x2_2)
+                y2_2 = self._end2_2_2 * x2_2
+                m1f_21 = m1_2 + 3.0
+                law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 2.0))
+            if m0_3 > _END_SAMPLES_3:
                 # The exact law in samples.
                 z1_3 = self._w1_1_3 * x1_3
                 law_3 = z1_3 / m0_3
             else:
                 # The law of least energy to the end.
                 m1_3 = max(m0_3, _R(1.0))
-                y1_3 = self._q1_1_3 * x1_3
+                y1_3 = self._end1_1_3 * x1_3
                 law_3 = y1_3 / (m1_3 + 6.0)
-            if 9.0 < m0_4:
+            if m0_4 > _END_SAMPLES_4:
                 # The exact law in samples.
                 z1_4 = (self._w1_1_4 * x1_4) + (self._w1_2_4 * x2_4)
                 z2_4 = self._w2_2_4 * x2_4
-                law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0)
+                law_4 = (z1_4 + (z2_4 * m0_4)) / (m0_4 * (m0_4 - 1.0))
             else:
                 # The law of least energy to the end.
                 m1_4 = max(m0_4, _R(2.0))
-                y1_4 = (self._q1_1_2 * x1_4) + (self._q1_2_2 * x2_4)
-                y2_4 = self._q2_2_2 * x2_4
-                law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0)
+                y1_4 = (self._end1_1_2 * x1_4) + (self._end1_2_2 * x2_4)
+                y2_4 = self._end2_2_2 * x2_4
+                m1f_41 = m1_4 + 3.0
+                law_4 = (y1_4 + (y2_4 * m1f_41)) / (m1f_41 * (m1_4 + 2.0))
 
             # The inputs that give all of them.
             v1 = _eliminate([law_1 - ((-x1_1) * x1_3), law_2 - ((-x1_2) * x2_4), law_3 - (-(x1_3 * x1_3)), law_4 - x1_1], [2.0 + (x1_2 * x1_2), 1.0, 0.0, 0.0, 0.0, 3.0 + x1_1, x1_4, 0.0, 0.0, 0.0, 1.0, x1_1, x1_3, 0.0, 0.0, 2.0 - x1_2])

@@ -180,29 +180,29 @@ pub struct Stage27 {
     start: u32,
     /// samples from the start to rest.
     samples: u32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2_2: f64,
-    /// weight of a state in the law.
-    q1_1_2: f64,
-    /// weight of a state in the law.
-    q1_2_2: f64,
-    /// weight of a state in the law.
-    q2_2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
+    end1_1_2: f64,
+    /// weight of x2 in the law.
+    end1_2_2: f64,
+    /// weight of x2 in the law.
+    end2_2_2: f64,
+    /// weight of x1 in the law.
     w1_1_3: f64,
-    /// weight of a state in the law.
-    q1_1_3: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
+    end1_1_3: f64,
+    /// weight of x1 in the law.
     w1_1_4: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2_4: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2_4: f64,
 }
 
@@ -215,12 +215,19 @@ pub struct Stage27 {
     clippy::nursery
 )]
 impl Stage27 {
+    /// Samples to go at which the law of the end takes over.
+    const END_SAMPLES_2: f64 = 6.0;
+    /// Samples to go at which the law of the end takes over.
+    const END_SAMPLES_3: f64 = 7.0;
+    /// Samples to go at which the law of the end takes over.
+    const END_SAMPLES_4: f64 = 9.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage27Params) -> Result<Self, Error> {
-        if !((1 < params.samples) && (1e-150 <= params.h) && (params.h <= 1e150)) {
+        if !((params.samples > 1) && (1e-150 <= params.h) && (params.h <= 1e150)) {
             return Err(Error::Param);
         }
         let samples = params.samples;
@@ -228,11 +235,11 @@ impl Stage27 {
         let w1_1_2 = (-18.75) * (1.0 / (params.h * params.h));
         let w1_2_2 = 9.375 * (1.0 / params.h);
         let w2_2_2 = (-7.75) * (1.0 / params.h);
-        let q1_1_2 = (-20.0) * (1.0 / (params.h * params.h));
-        let q1_2_2 = 10.0 * (1.0 / params.h);
-        let q2_2_2 = (-8.0) * (1.0 / params.h);
+        let end1_1_2 = (-20.0) * (1.0 / (params.h * params.h));
+        let end1_2_2 = 10.0 * (1.0 / params.h);
+        let end2_2_2 = (-8.0) * (1.0 / params.h);
         let w1_1_3 = (-6.25) * (1.0 / params.h);
-        let q1_1_3 = (-7.0) * (1.0 / params.h);
+        let end1_1_3 = (-7.0) * (1.0 / params.h);
         let w1_1_4 = (-23.4375) * (1.0 / (params.h * params.h));
         let w1_2_4 = 11.71875 * (1.0 / params.h);
         let w2_2_4 = (-9.625) * (1.0 / params.h);
@@ -240,16 +247,16 @@ impl Stage27 {
             && w1_1_2.is_finite()
             && w1_2_2.is_finite()
             && w2_2_2.is_finite()
-            && q1_1_2.is_finite()
-            && q1_2_2.is_finite()
-            && q2_2_2.is_finite()
+            && end1_1_2.is_finite()
+            && end1_2_2.is_finite()
+            && end2_2_2.is_finite()
             && w1_1_3.is_finite()
-            && q1_1_3.is_finite()
+            && end1_1_3.is_finite()
             && w1_1_4.is_finite()
             && w1_2_4.is_finite()
             && w2_2_4.is_finite()
-            && (1e-200 <= params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -260,11 +267,11 @@ impl Stage27 {
             w1_1_2,
             w1_2_2,
             w2_2_2,
-            q1_1_2,
-            q1_2_2,
-            q2_2_2,
+            end1_1_2,
+            end1_2_2,
+            end2_2_2,
             w1_1_3,
-            q1_1_3,
+            end1_1_3,
             w1_1_4,
             w1_2_4,
             w2_2_4,
@@ -322,39 +329,41 @@ impl Stage27 {
         let law_3: f64;
         let m0_4 = (left as f64) - 2.0;
         let law_4: f64;
-        if 6.0 < m0_2 {
+        if m0_2 > Self::END_SAMPLES_2 {
             // The exact law in samples.
             let z1_2 = (self.w1_1_2 * x1_2) + (self.w1_2_2 * x2_2);
             let z2_2 = self.w2_2_2 * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
         } else {
             // The law of least energy to the end.
             let m1_2 = if m0_2 < 2.0 { 2.0 } else { m0_2 };
-            let y1_2 = (self.q1_1_2 * x1_2) + (self.q1_2_2 * x2_2);
-            let y2_2 = self.q2_2_2 * x2_2;
-            law_2 = ((y1_2 / (m1_2 + 3.0)) + y2_2) / (m1_2 + 2.0);
+            let y1_2 = (self.end1_1_2 * x1_2) + (self.end1_2_2 * x2_2);
+            let y2_2 = self.end2_2_2 * x2_2;
+            let m1f_21 = m1_2 + 3.0;
+            law_2 = (y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 2.0));
         }
-        if 7.0 < m0_3 {
+        if m0_3 > Self::END_SAMPLES_3 {
             // The exact law in samples.
             let z1_3 = self.w1_1_3 * x1_3;
             law_3 = z1_3 / m0_3;
         } else {
             // The law of least energy to the end.
             let m1_3 = if m0_3 < 1.0 { 1.0 } else { m0_3 };
-            let y1_3 = self.q1_1_3 * x1_3;
+            let y1_3 = self.end1_1_3 * x1_3;
             law_3 = y1_3 / (m1_3 + 6.0);
         }
-        if 9.0 < m0_4 {
+        if m0_4 > Self::END_SAMPLES_4 {
             // The exact law in samples.
             let z1_4 = (self.w1_1_4 * x1_4) + (self.w1_2_4 * x2_4);
             let z2_4 = self.w2_2_4 * x2_4;
-            law_4 = ((z1_4 / m0_4) + z2_4) / (m0_4 - 1.0);
+            law_4 = (z1_4 + (z2_4 * m0_4)) / (m0_4 * (m0_4 - 1.0));
         } else {
             // The law of least energy to the end.
             let m1_4 = if m0_4 < 2.0 { 2.0 } else { m0_4 };
-            let y1_4 = (self.q1_1_2 * x1_4) + (self.q1_2_2 * x2_4);
-            let y2_4 = self.q2_2_2 * x2_4;
-            law_4 = ((y1_4 / (m1_4 + 3.0)) + y2_4) / (m1_4 + 2.0);
+            let y1_4 = (self.end1_1_2 * x1_4) + (self.end1_2_2 * x2_4);
+            let y2_4 = self.end2_2_2 * x2_4;
+            let m1f_41 = m1_4 + 3.0;
+            law_4 = (y1_4 + (y2_4 * m1f_41)) / (m1f_41 * (m1_4 + 2.0));
         }
 
         // The inputs that give all of them.

@@ -16,15 +16,15 @@
  *     before it.
  *   PTC_FINITE_F64(w2_2_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   PTC_FINITE_F64(q1_1_2): held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(end1_1_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   PTC_FINITE_F64(q1_2_2): held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(end1_2_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   PTC_FINITE_F64(q2_2_2): held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(end2_2_2): held with each of 3016 sets of parameters that passed the tests
  *     before it.
  *   PTC_FINITE_F64(w1_1_3): held with each of 3016 sets of parameters that passed the tests
  *     before it.
- *   PTC_FINITE_F64(q1_1_3): held with each of 3016 sets of parameters that passed the tests
+ *   PTC_FINITE_F64(end1_1_3): held with each of 3016 sets of parameters that passed the tests
  *     before it.
  *   PTC_FINITE_F64(w1_1_4): held with each of 3016 sets of parameters that passed the tests
  *     before it.

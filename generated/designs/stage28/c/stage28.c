@@ -33,15 +33,18 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE28_DEADBEAT_1 9.0 /* samples to go at which deadbeat takes over */
+#define STAGE28_DEADBEAT_2 9.0 /* samples to go at which deadbeat takes over */
 ptc_status stage28_init(stage28 *self, const stage28_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0U < params->samples)
+        if ((params->samples > 0U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (0.0 < params->u_max)
+            && (params->u_max > 0.0)
             && PTC_FINITE_F64(params->k)) {
             const uint32_t samples = params->samples;
             const double w1_1_1 = (-3.0) * (1.0 / params->h);
@@ -54,8 +57,8 @@ ptc_status stage28_init(stage28 *self, const stage28_params *params)
                 && PTC_FINITE_F64(b_1_1)
                 && PTC_FINITE_F64(w1_1_2)
                 && PTC_FINITE_F64(c1)
-                && (1e-200 <= params->h)
-                && (1e-200 <= 1.0 / params->h)) {
+                && (params->h >= 1e-200)
+                && (1.0 / params->h >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->w1_1_1 = w1_1_1;
@@ -103,7 +106,7 @@ ptc_status stage28_step(
             double law_1;
             const double m0_2 = (double)left;
             double law_2;
-            if (9.0 < m0_1) {
+            if (m0_1 > STAGE28_DEADBEAT_1) {
                 /* The exact law in samples. */
                 const double z1_1 = self->w1_1_1 * x1_1;
                 law_1 = z1_1 / m0_1;
@@ -111,7 +114,7 @@ ptc_status stage28_step(
                 /* Deadbeat. */
                 law_1 = self->b_1_1 * x1_1;
             }
-            if (9.0 < m0_2) {
+            if (m0_2 > STAGE28_DEADBEAT_2) {
                 /* The exact law in samples. */
                 const double z1_2 = self->w1_1_2 * x1_2;
                 law_2 = z1_2 / m0_2;
@@ -135,7 +138,7 @@ ptc_status stage28_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (self->u_max < control1) {
+                if (control1 > self->u_max) {
                     u[0] = self->u_max;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -146,7 +149,7 @@ ptc_status stage28_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < control2) {
+                if (control2 > self->u_max) {
                     u[1] = self->u_max;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

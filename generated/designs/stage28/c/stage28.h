@@ -58,8 +58,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_77BB9C13_H
-#define STAGE28_77BB9C13_H
+#ifndef STAGE28_49679DF8_H
+#define STAGE28_49679DF8_H
 
 #include <stdint.h>
 
@@ -97,9 +97,9 @@ typedef struct stage28_params {
 typedef struct stage28 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
-    double w1_1_1; /* weight of a state in the law */
-    double b_1_1; /* weight of a state in the law */
-    double w1_1_2; /* weight of a state in the law */
+    double w1_1_1; /* weight of x1 in the law */
+    double b_1_1; /* weight of x1 in the law */
+    double w1_1_2; /* weight of x1 in the law */
     double p_k; /* parameter of an expression of the design */
     double c1; /* derived from the parameters */
     double u_max; /* bound of |u| */

@@ -57,8 +57,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 1, whose sum is the number of states.
  */
-#ifndef STAGE28_CF9D47E6_HPP
-#define STAGE28_CF9D47E6_HPP
+#ifndef STAGE28_42E99100_HPP
+#define STAGE28_42E99100_HPP
 
 #include <array>
 #include <cfloat>
@@ -146,10 +146,10 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((0U < params.samples)
+        if (!((params.samples > 0U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
-                && (0.0 < params.u_max)
+                && (params.u_max > 0.0)
                 && finite(params.k))) {
             return Status::Param;
         }
@@ -164,8 +164,8 @@ public:
                 && finite(b_1_1)
                 && finite(w1_1_2)
                 && finite(c1)
-                && (1e-200 <= params.h)
-                && (1e-200 <= 1.0 / params.h))) {
+                && (params.h >= 1e-200)
+                && (1.0 / params.h >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -204,7 +204,7 @@ public:
         double law_1{};
         const double m0_2 = static_cast<double>(left);
         double law_2{};
-        if (9.0 < m0_1) {
+        if (m0_1 > deadbeat_1_) {
             // The exact law in samples.
             const double z1_1 = w1_1_1_ * x1_1;
             law_1 = z1_1 / m0_1;
@@ -212,7 +212,7 @@ public:
             // Deadbeat.
             law_1 = b_1_1_ * x1_1;
         }
-        if (9.0 < m0_2) {
+        if (m0_2 > deadbeat_2_) {
             // The exact law in samples.
             const double z1_2 = w1_1_2_ * x1_2;
             law_2 = z1_2 / m0_2;
@@ -236,7 +236,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (u_max_ < control1) {
+            if (control1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -245,7 +245,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control2) {
+            if (control2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -278,12 +278,16 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Samples to go at which deadbeat takes over.
+    static constexpr double deadbeat_1_{9.0};
+    /// Samples to go at which deadbeat takes over.
+    static constexpr double deadbeat_2_{9.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
-    double w1_1_1_{}; // weight of a state in the law
-    double b_1_1_{}; // weight of a state in the law
-    double w1_1_2_{}; // weight of a state in the law
+    double w1_1_1_{}; // weight of x1 in the law
+    double b_1_1_{}; // weight of x1 in the law
+    double w1_1_2_{}; // weight of x1 in the law
     double p_k_{}; // parameter of an expression of the design
     double c1_{}; // derived from the parameters
     double u_max_{}; // bound of |u|

@@ -76,13 +76,13 @@ end
 given.h = double(params.h);
 given.u_max = double(params.u_max);
 given.k = double(params.k);
-if ~(uint32(0) < given.samples)
+if ~(given.samples > uint32(0))
     error('stage28:param', 'params.samples is %g; legal: >= 1', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
     error('stage28:param', 'params.h is %g; legal: from 1e-150 to 1e150', params.h);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage28:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k)
@@ -98,10 +98,10 @@ u_max = given.u_max;
 if ~(isfinite(w1_1_1) && isfinite(b_1_1) && isfinite(w1_1_2) && isfinite(c1))
     error('stage28:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
-if ~(1e-200 <= given.h)
+if ~(given.h >= 1e-200)
     error('stage28:param', 'params.h is %g; legal: >= 1e-200', params.h);
 end
-if ~(1e-200 <= 1.0 / given.h)
+if ~(1.0 / given.h >= 1e-200)
     error('stage28:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

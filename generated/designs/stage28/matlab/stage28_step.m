@@ -14,6 +14,8 @@ function [u, axes, status] = stage28_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+deadbeat_1 = 9.0; % samples to go at which deadbeat takes over
+deadbeat_2 = 9.0; % samples to go at which deadbeat takes over
 u = zeros(2, 1, 'double');
 axes = repmat(int32(-2), 2, 1);
 k = double(k);
@@ -35,7 +37,7 @@ x1_2 = x(2);
 left = self.samples - elapsed;
 m0_1 = double(left);
 m0_2 = double(left);
-if 9.0 < m0_1
+if m0_1 > deadbeat_1
     % The exact law in samples.
     z1_1 = self.w1_1_1 * x1_1;
     law_1 = z1_1 / m0_1;
@@ -43,7 +45,7 @@ else
     % Deadbeat.
     law_1 = self.b_1_1 * x1_1;
 end
-if 9.0 < m0_2
+if m0_2 > deadbeat_2
     % The exact law in samples.
     z1_2 = self.w1_1_2 * x1_2;
     law_2 = z1_2 / m0_2;
@@ -67,7 +69,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if self.u_max < control1
+    if control1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -76,7 +78,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control2
+    if control2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

@@ -135,6 +135,11 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples to go at which deadbeat takes over.
+_DEADBEAT_1 = _R(9.0)
+# Samples to go at which deadbeat takes over.
+_DEADBEAT_2 = _R(9.0)
+
 class Stage28:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -149,11 +154,11 @@ class Stage28:
             given_h = _R(params.h)
             given_u_max = _R(params.u_max)
             given_k = _R(params.k)
-            if not (0 < given_samples):
+            if not (given_samples > 0):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 1")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k):
                 raise ValueError(f"params.k is {params.k}; legal: finite")
@@ -171,9 +176,9 @@ class Stage28:
                 and np.isfinite(c1)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
-            if not (1e-200 <= given_h):
+            if not (given_h >= 1e-200):
                 raise ValueError(f"params.h is {params.h}; legal: >= 1e-200")
-            if not (1e-200 <= 1.0 / given_h):
+            if not (1.0 / given_h >= 1e-200):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
             self._samples = samples
@@ -215,14 +220,14 @@ class Stage28:
             left = max(self._samples - elapsed, 0)
             m0_1 = _R(left)
             m0_2 = _R(left)
-            if 9.0 < m0_1:
+            if m0_1 > _DEADBEAT_1:
                 # The exact law in samples.
                 z1_1 = self._w1_1_1 * x1_1
                 law_1 = z1_1 / m0_1
             else:
                 # Deadbeat.
                 law_1 = self._b_1_1 * x1_1
-            if 9.0 < m0_2:
+            if m0_2 > _DEADBEAT_2:
                 # The exact law in samples.
                 z1_2 = self._w1_1_2 * x1_2
                 law_2 = z1_2 / m0_2
@@ -244,7 +249,7 @@ class Stage28:
                 axes[0] = status
                 u[1] = control2
                 axes[1] = status
-                if self._u_max < control1:
+                if control1 > self._u_max:
                     u[0] = self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -252,7 +257,7 @@ class Stage28:
                     u[0] = -self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if self._u_max < control2:
+                if control2 > self._u_max:
                     u[1] = self._u_max
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

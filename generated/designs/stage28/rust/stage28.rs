@@ -165,11 +165,11 @@ pub struct Stage28 {
     start: u32,
     /// samples from the start to rest.
     samples: u32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_2: f64,
     /// parameter of an expression of the design.
     p_k: f64,
@@ -188,15 +188,20 @@ pub struct Stage28 {
     clippy::nursery
 )]
 impl Stage28 {
+    /// Samples to go at which deadbeat takes over.
+    const DEADBEAT_1: f64 = 9.0;
+    /// Samples to go at which deadbeat takes over.
+    const DEADBEAT_2: f64 = 9.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage28Params) -> Result<Self, Error> {
-        if !((0 < params.samples)
+        if !((params.samples > 0)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && params.k.is_finite())
         {
             return Err(Error::Param);
@@ -212,8 +217,8 @@ impl Stage28 {
             && b_1_1.is_finite()
             && w1_1_2.is_finite()
             && c1.is_finite()
-            && (1e-200 <= params.h)
-            && (1e-200 <= 1.0 / params.h))
+            && (params.h >= 1e-200)
+            && (1.0 / params.h >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -261,7 +266,7 @@ impl Stage28 {
         let law_1: f64;
         let m0_2 = left as f64;
         let law_2: f64;
-        if 9.0 < m0_1 {
+        if m0_1 > Self::DEADBEAT_1 {
             // The exact law in samples.
             let z1_1 = self.w1_1_1 * x1_1;
             law_1 = z1_1 / m0_1;
@@ -269,7 +274,7 @@ impl Stage28 {
             // Deadbeat.
             law_1 = self.b_1_1 * x1_1;
         }
-        if 9.0 < m0_2 {
+        if m0_2 > Self::DEADBEAT_2 {
             // The exact law in samples.
             let z1_2 = self.w1_1_2 * x1_2;
             law_2 = z1_2 / m0_2;
@@ -297,7 +302,7 @@ impl Stage28 {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if self.u_max < control1 {
+            if control1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -306,7 +311,7 @@ impl Stage28 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < control2 {
+            if control2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -16,9 +16,9 @@
  *     before it.
  *   PTC_FINITE_F64(c1): held with each of 3032 sets of parameters that passed the tests before
  *     it.
- *   1e-200 <= params->h: held with each of 3032 sets of parameters that passed the tests before
+ *   params->h >= 1e-200: held with each of 3032 sets of parameters that passed the tests before
  *     it.
- *   1e-200 <= 1.0 / params->h: held with each of 3032 sets of parameters that passed the tests
+ *   1.0 / params->h >= 1e-200: held with each of 3032 sets of parameters that passed the tests
  *     before it.
  *   PTC_FINITE_F64(control2): never true in 2175 calls.
  */

@@ -33,6 +33,22 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE29_W1_1_1 (-400000.0) /* weight of x1 in the law */
+#define STAGE29_W1_2_1 2000.0 /* weight of x2 in the law */
+#define STAGE29_W2_2_1 (-1600.0) /* weight of x2 in the law */
+#define STAGE29_W1_1_2 (-50000.0) /* weight of x1 in the law */
+#define STAGE29_W1_2_2 250.0 /* weight of x2 in the law */
+#define STAGE29_W2_2_2 (-250.0) /* weight of x2 in the law */
+#define STAGE29_END1_1_2 (-60000.0) /* weight of x1 in the law */
+#define STAGE29_END1_2_2 300.0 /* weight of x2 in the law */
+#define STAGE29_END2_2_2 (-300.0) /* weight of x2 in the law */
+#define STAGE29_W1_1_3 450000.0 /* weight of x1 in the law */
+#define STAGE29_W1_2_3 (-2250.0) /* weight of x2 in the law */
+#define STAGE29_W2_2_3 1250.0 /* weight of x2 in the law */
+#define STAGE29_END1_1_3 420000.0 /* weight of x1 in the law */
+#define STAGE29_END1_2_3 (-2100.0) /* weight of x2 in the law */
+#define STAGE29_END2_2_3 1200.0 /* weight of x2 in the law */
 ptc_status stage29_init(stage29 *self, const stage29_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -83,36 +99,36 @@ ptc_status stage29_step(
 
             /* The exact law in samples. */
             const double m0_1 = (elapsed < 28U) ? ((double)(33U - elapsed)) : 5.0;
-            const double z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
-            const double z2_1 = (-1600.0) * x2_1;
-            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+            const double z1_1 = (STAGE29_W1_1_1 * x1_1) + (STAGE29_W1_2_1 * x2_1);
+            const double z2_1 = STAGE29_W2_2_1 * x2_1;
+            law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
             double law_2;
             double law_3;
             if (elapsed < 26U) {
                 /* The exact law in samples. */
                 const double m0_2 = (double)(30U - elapsed);
-                const double z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
-                const double z2_2 = (-250.0) * x2_2;
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+                const double z1_2 = (STAGE29_W1_1_2 * x1_2) + (STAGE29_W1_2_2 * x2_2);
+                const double z2_2 = STAGE29_W2_2_2 * x2_2;
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
             } else {
                 /* The law of least energy to the end. */
                 const double m1_2 = (elapsed < 28U) ? ((double)(32U - elapsed)) : 4.0;
-                const double y1_2 = ((-60000.0) * x1_2) + (300.0 * x2_2);
-                const double y2_2 = (-300.0) * x2_2;
-                law_2 = ((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0);
+                const double y1_2 = (STAGE29_END1_1_2 * x1_2) + (STAGE29_END1_2_2 * x2_2);
+                const double y2_2 = STAGE29_END2_2_2 * x2_2;
+                law_2 = (y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0));
             }
             if (elapsed < 21U) {
                 /* The exact law in samples. */
                 const double m0_3 = (double)(30U - elapsed);
-                const double z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
-                const double z2_3 = 1250.0 * x2_3;
-                law_3 = ((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0);
+                const double z1_3 = (STAGE29_W1_1_3 * x1_3) + (STAGE29_W1_2_3 * x2_3);
+                const double z2_3 = STAGE29_W2_2_3 * x2_3;
+                law_3 = (z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0));
             } else {
                 /* The law of least energy to the end. */
                 const double m1_3 = (elapsed < 28U) ? ((double)(35U - elapsed)) : 7.0;
-                const double y1_3 = (420000.0 * x1_3) - (2100.0 * x2_3);
-                const double y2_3 = 1200.0 * x2_3;
-                law_3 = ((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0);
+                const double y1_3 = (STAGE29_END1_1_3 * x1_3) + (STAGE29_END1_2_3 * x2_3);
+                const double y2_3 = STAGE29_END2_2_3 * x2_3;
+                law_3 = (y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0));
             }
             if (elapsed < 30U) {
                 status = PTC_OK;
@@ -126,7 +142,7 @@ ptc_status stage29_step(
                 axes[1] = status;
                 u[2] = law_3;
                 axes[2] = status;
-                if (1.0 < law_1) {
+                if (law_1 > 1.0) {
                     u[0] = 1.0;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -137,7 +153,7 @@ ptc_status stage29_step(
                 } else {
                     /* neither */
                 }
-                if (2.0 < law_2) {
+                if (law_2 > 2.0) {
                     u[1] = 2.0;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -148,7 +164,7 @@ ptc_status stage29_step(
                 } else {
                     /* neither */
                 }
-                if (3.0 < law_3) {
+                if (law_3 > 3.0) {
                     u[2] = 3.0;
                     axes[2] = PTC_SATURATED;
                     status = PTC_SATURATED;

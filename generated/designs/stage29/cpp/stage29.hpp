@@ -41,8 +41,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE29_AFF00163_HPP
-#define STAGE29_AFF00163_HPP
+#ifndef STAGE29_F8A54463_HPP
+#define STAGE29_F8A54463_HPP
 
 #include <array>
 #include <cfloat>
@@ -161,36 +161,36 @@ public:
 
         // The exact law in samples.
         const double m0_1 = (elapsed < 28U) ? (static_cast<double>(33U - elapsed)) : 5.0;
-        const double z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
-        const double z2_1 = (-1600.0) * x2_1;
-        law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+        const double z1_1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
+        const double z2_1 = w2_2_1_ * x2_1;
+        law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
         double law_2{};
         double law_3{};
         if (elapsed < 26U) {
             // The exact law in samples.
             const double m0_2 = static_cast<double>(30U - elapsed);
-            const double z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
-            const double z2_2 = (-250.0) * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            const double z1_2 = (w1_1_2_ * x1_2) + (w1_2_2_ * x2_2);
+            const double z2_2 = w2_2_2_ * x2_2;
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
         } else {
             // The law of least energy to the end.
             const double m1_2 = (elapsed < 28U) ? (static_cast<double>(32U - elapsed)) : 4.0;
-            const double y1_2 = ((-60000.0) * x1_2) + (300.0 * x2_2);
-            const double y2_2 = (-300.0) * x2_2;
-            law_2 = ((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0);
+            const double y1_2 = (end1_1_2_ * x1_2) + (end1_2_2_ * x2_2);
+            const double y2_2 = end2_2_2_ * x2_2;
+            law_2 = (y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0));
         }
         if (elapsed < 21U) {
             // The exact law in samples.
             const double m0_3 = static_cast<double>(30U - elapsed);
-            const double z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
-            const double z2_3 = 1250.0 * x2_3;
-            law_3 = ((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0);
+            const double z1_3 = (w1_1_3_ * x1_3) + (w1_2_3_ * x2_3);
+            const double z2_3 = w2_2_3_ * x2_3;
+            law_3 = (z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0));
         } else {
             // The law of least energy to the end.
             const double m1_3 = (elapsed < 28U) ? (static_cast<double>(35U - elapsed)) : 7.0;
-            const double y1_3 = (420000.0 * x1_3) - (2100.0 * x2_3);
-            const double y2_3 = 1200.0 * x2_3;
-            law_3 = ((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0);
+            const double y1_3 = (end1_1_3_ * x1_3) + (end1_2_3_ * x2_3);
+            const double y2_3 = end2_2_3_ * x2_3;
+            law_3 = (y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0));
         }
         if (elapsed < 30U) {
             all.status = Status::Ok;
@@ -204,7 +204,7 @@ public:
             all.axes[1] = all.status;
             all.u[2] = law_3;
             all.axes[2] = all.status;
-            if (1.0 < law_1) {
+            if (law_1 > 1.0) {
                 all.u[0] = 1.0;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -213,7 +213,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (2.0 < law_2) {
+            if (law_2 > 2.0) {
                 all.u[1] = 2.0;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -222,7 +222,7 @@ public:
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (3.0 < law_3) {
+            if (law_3 > 3.0) {
                 all.u[2] = 3.0;
                 all.axes[2] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -261,6 +261,36 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_1_{-400000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_1_{2000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_1_{-1600.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_2_{-50000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_2_{250.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_2_{-250.0};
+    /// Weight of x1 in the law.
+    static constexpr double end1_1_2_{-60000.0};
+    /// Weight of x2 in the law.
+    static constexpr double end1_2_2_{300.0};
+    /// Weight of x2 in the law.
+    static constexpr double end2_2_2_{-300.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_3_{450000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_3_{-2250.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_3_{1250.0};
+    /// Weight of x1 in the law.
+    static constexpr double end1_1_3_{420000.0};
+    /// Weight of x2 in the law.
+    static constexpr double end1_2_3_{-2100.0};
+    /// Weight of x2 in the law.
+    static constexpr double end2_2_3_{1200.0};
 
     std::uint32_t start_{}; // tick at which it was armed
 };

@@ -14,6 +14,21 @@ function [u, axes, status] = stage29_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+w1_1_1 = -400000.0; % weight of x1 in the law
+w1_2_1 = 2000.0; % weight of x2 in the law
+w2_2_1 = -1600.0; % weight of x2 in the law
+w1_1_2 = -50000.0; % weight of x1 in the law
+w1_2_2 = 250.0; % weight of x2 in the law
+w2_2_2 = -250.0; % weight of x2 in the law
+end1_1_2 = -60000.0; % weight of x1 in the law
+end1_2_2 = 300.0; % weight of x2 in the law
+end2_2_2 = -300.0; % weight of x2 in the law
+w1_1_3 = 450000.0; % weight of x1 in the law
+w1_2_3 = -2250.0; % weight of x2 in the law
+w2_2_3 = 1250.0; % weight of x2 in the law
+end1_1_3 = 420000.0; % weight of x1 in the law
+end1_2_3 = -2100.0; % weight of x2 in the law
+end2_2_3 = 1200.0; % weight of x2 in the law
 u = zeros(3, 1, 'double');
 axes = repmat(int32(-2), 3, 1);
 k = double(k);
@@ -42,34 +57,34 @@ x2_3 = x(3, 2);
 
 % The exact law in samples.
 m0_1 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296))), 5.0);
-z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
-z2_1 = (-1600.0) * x2_1;
-law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+z1_1 = (w1_1_1 * x1_1) + (w1_2_1 * x2_1);
+z2_1 = w2_2_1 * x2_1;
+law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
 if elapsed < uint32(26)
     % The exact law in samples.
     m0_2 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
-    z2_2 = (-250.0) * x2_2;
-    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+    z1_2 = (w1_1_2 * x1_2) + (w1_2_2 * x2_2);
+    z2_2 = w2_2_2 * x2_2;
+    law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
 else
     % The law of least energy to the end.
     m1_2 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(32)) - double(elapsed), 4294967296))), 4.0);
-    y1_2 = ((-60000.0) * x1_2) + (300.0 * x2_2);
-    y2_2 = (-300.0) * x2_2;
-    law_2 = ((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0);
+    y1_2 = (end1_1_2 * x1_2) + (end1_2_2 * x2_2);
+    y2_2 = end2_2_2 * x2_2;
+    law_2 = (y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0));
 end
 if elapsed < uint32(21)
     % The exact law in samples.
     m0_3 = double(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
-    z2_3 = 1250.0 * x2_3;
-    law_3 = ((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0);
+    z1_3 = (w1_1_3 * x1_3) + (w1_2_3 * x2_3);
+    z2_3 = w2_2_3 * x2_3;
+    law_3 = (z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0));
 else
     % The law of least energy to the end.
     m1_3 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(35)) - double(elapsed), 4294967296))), 7.0);
-    y1_3 = (420000.0 * x1_3) - (2100.0 * x2_3);
-    y2_3 = 1200.0 * x2_3;
-    law_3 = ((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0);
+    y1_3 = (end1_1_3 * x1_3) + (end1_2_3 * x2_3);
+    y2_3 = end2_2_3 * x2_3;
+    law_3 = (y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0));
 end
 if elapsed < uint32(30)
     status = int32(0);
@@ -83,7 +98,7 @@ if isfinite(law_1) && isfinite(law_2) && isfinite(law_3)
     axes(2) = status;
     u(3) = law_3;
     axes(3) = status;
-    if 1.0 < law_1
+    if law_1 > 1.0
         u(1) = 1.0;
         axes(1) = int32(2);
         status = int32(2);
@@ -92,7 +107,7 @@ if isfinite(law_1) && isfinite(law_2) && isfinite(law_3)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if 2.0 < law_2
+    if law_2 > 2.0
         u(2) = 2.0;
         axes(2) = int32(2);
         status = int32(2);
@@ -101,7 +116,7 @@ if isfinite(law_1) && isfinite(law_2) && isfinite(law_3)
         axes(2) = int32(2);
         status = int32(2);
     end
-    if 3.0 < law_3
+    if law_3 > 3.0
         u(3) = 3.0;
         axes(3) = int32(2);
         status = int32(2);

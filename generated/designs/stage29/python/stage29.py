@@ -117,6 +117,37 @@ def _of_axes(given: ArrayLike, count: int, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: (..., {count}, {length})")
     return numbers
 
+# Weight of x1 in the law.
+_W1_1_1 = _R(-400000.0)
+# Weight of x2 in the law.
+_W1_2_1 = _R(2000.0)
+# Weight of x2 in the law.
+_W2_2_1 = _R(-1600.0)
+# Weight of x1 in the law.
+_W1_1_2 = _R(-50000.0)
+# Weight of x2 in the law.
+_W1_2_2 = _R(250.0)
+# Weight of x2 in the law.
+_W2_2_2 = _R(-250.0)
+# Weight of x1 in the law.
+_END1_1_2 = _R(-60000.0)
+# Weight of x2 in the law.
+_END1_2_2 = _R(300.0)
+# Weight of x2 in the law.
+_END2_2_2 = _R(-300.0)
+# Weight of x1 in the law.
+_W1_1_3 = _R(450000.0)
+# Weight of x2 in the law.
+_W1_2_3 = _R(-2250.0)
+# Weight of x2 in the law.
+_W2_2_3 = _R(1250.0)
+# Weight of x1 in the law.
+_END1_1_3 = _R(420000.0)
+# Weight of x2 in the law.
+_END1_2_3 = _R(-2100.0)
+# Weight of x2 in the law.
+_END2_2_3 = _R(1200.0)
+
 class Stage29:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -167,33 +198,33 @@ class Stage29:
 
             # The exact law in samples.
             m0_1 = _R((33 - elapsed) & _WRAP) if elapsed < 28 else _R(5.0)
-            z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1)
-            z2_1 = (-1600.0) * x2_1
-            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)
+            z1_1 = (_W1_1_1 * x1_1) + (_W1_2_1 * x2_1)
+            z2_1 = _W2_2_1 * x2_1
+            law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))
             if elapsed < 26:
                 # The exact law in samples.
                 m0_2 = _R((30 - elapsed) & _WRAP)
-                z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2)
-                z2_2 = (-250.0) * x2_2
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)
+                z1_2 = (_W1_1_2 * x1_2) + (_W1_2_2 * x2_2)
+                z2_2 = _W2_2_2 * x2_2
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))
             else:
                 # The law of least energy to the end.
                 m1_2 = _R((32 - elapsed) & _WRAP) if elapsed < 28 else _R(4.0)
-                y1_2 = ((-60000.0) * x1_2) + (300.0 * x2_2)
-                y2_2 = (-300.0) * x2_2
-                law_2 = ((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0)
+                y1_2 = (_END1_1_2 * x1_2) + (_END1_2_2 * x2_2)
+                y2_2 = _END2_2_2 * x2_2
+                law_2 = (y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0))
             if elapsed < 21:
                 # The exact law in samples.
                 m0_3 = _R((30 - elapsed) & _WRAP)
-                z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3)
-                z2_3 = 1250.0 * x2_3
-                law_3 = ((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0)
+                z1_3 = (_W1_1_3 * x1_3) + (_W1_2_3 * x2_3)
+                z2_3 = _W2_2_3 * x2_3
+                law_3 = (z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0))
             else:
                 # The law of least energy to the end.
                 m1_3 = _R((35 - elapsed) & _WRAP) if elapsed < 28 else _R(7.0)
-                y1_3 = (420000.0 * x1_3) - (2100.0 * x2_3)
-                y2_3 = 1200.0 * x2_3
-                law_3 = ((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0)
+                y1_3 = (_END1_1_3 * x1_3) + (_END1_2_3 * x2_3)
+                y2_3 = _END2_2_3 * x2_3
+                law_3 = (y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0))
             if elapsed < 30:
                 status = Status.OK
             else:
@@ -205,7 +236,7 @@ class Stage29:
                 axes[1] = status
                 u[2] = law_3
                 axes[2] = status
-                if 1.0 < law_1:
+                if law_1 > 1.0:
                     u[0] = _R(1.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -213,7 +244,7 @@ class Stage29:
                     u[0] = _R(-1.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if 2.0 < law_2:
+                if law_2 > 2.0:
                     u[1] = _R(2.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
@@ -221,7 +252,7 @@ class Stage29:
                     u[1] = _R(-2.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
-                if 3.0 < law_3:
+                if law_3 > 3.0:
                     u[2] = _R(3.0)
                     axes[2] = Status.SATURATED
                     status = Status.SATURATED

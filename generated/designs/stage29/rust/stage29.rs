@@ -149,6 +149,37 @@ pub struct Stage29 {
     clippy::nursery
 )]
 impl Stage29 {
+    /// Weight of x1 in the law.
+    const W1_1_1: f64 = -400000.0;
+    /// Weight of x2 in the law.
+    const W1_2_1: f64 = 2000.0;
+    /// Weight of x2 in the law.
+    const W2_2_1: f64 = -1600.0;
+    /// Weight of x1 in the law.
+    const W1_1_2: f64 = -50000.0;
+    /// Weight of x2 in the law.
+    const W1_2_2: f64 = 250.0;
+    /// Weight of x2 in the law.
+    const W2_2_2: f64 = -250.0;
+    /// Weight of x1 in the law.
+    const END1_1_2: f64 = -60000.0;
+    /// Weight of x2 in the law.
+    const END1_2_2: f64 = 300.0;
+    /// Weight of x2 in the law.
+    const END2_2_2: f64 = -300.0;
+    /// Weight of x1 in the law.
+    const W1_1_3: f64 = 450000.0;
+    /// Weight of x2 in the law.
+    const W1_2_3: f64 = -2250.0;
+    /// Weight of x2 in the law.
+    const W2_2_3: f64 = 1250.0;
+    /// Weight of x1 in the law.
+    const END1_1_3: f64 = 420000.0;
+    /// Weight of x2 in the law.
+    const END1_2_3: f64 = -2100.0;
+    /// Weight of x2 in the law.
+    const END2_2_3: f64 = 1200.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -200,17 +231,17 @@ impl Stage29 {
         } else {
             5.0
         };
-        let z1_1 = ((-400000.0) * x1_1) + (2000.0 * x2_1);
-        let z2_1 = (-1600.0) * x2_1;
-        law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+        let z1_1 = (Self::W1_1_1 * x1_1) + (Self::W1_2_1 * x2_1);
+        let z2_1 = Self::W2_2_1 * x2_1;
+        law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
         let law_2: f64;
         let law_3: f64;
         if elapsed < 26 {
             // The exact law in samples.
             let m0_2 = 30_u32.wrapping_sub(elapsed) as f64;
-            let z1_2 = ((-50000.0) * x1_2) + (250.0 * x2_2);
-            let z2_2 = (-250.0) * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            let z1_2 = (Self::W1_1_2 * x1_2) + (Self::W1_2_2 * x2_2);
+            let z2_2 = Self::W2_2_2 * x2_2;
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
         } else {
             // The law of least energy to the end.
             let m1_2 = if elapsed < 28 {
@@ -218,16 +249,16 @@ impl Stage29 {
             } else {
                 4.0
             };
-            let y1_2 = ((-60000.0) * x1_2) + (300.0 * x2_2);
-            let y2_2 = (-300.0) * x2_2;
-            law_2 = ((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0);
+            let y1_2 = (Self::END1_1_2 * x1_2) + (Self::END1_2_2 * x2_2);
+            let y2_2 = Self::END2_2_2 * x2_2;
+            law_2 = (y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0));
         }
         if elapsed < 21 {
             // The exact law in samples.
             let m0_3 = 30_u32.wrapping_sub(elapsed) as f64;
-            let z1_3 = (450000.0 * x1_3) - (2250.0 * x2_3);
-            let z2_3 = 1250.0 * x2_3;
-            law_3 = ((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0);
+            let z1_3 = (Self::W1_1_3 * x1_3) + (Self::W1_2_3 * x2_3);
+            let z2_3 = Self::W2_2_3 * x2_3;
+            law_3 = (z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0));
         } else {
             // The law of least energy to the end.
             let m1_3 = if elapsed < 28 {
@@ -235,9 +266,9 @@ impl Stage29 {
             } else {
                 7.0
             };
-            let y1_3 = (420000.0 * x1_3) - (2100.0 * x2_3);
-            let y2_3 = 1200.0 * x2_3;
-            law_3 = ((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0);
+            let y1_3 = (Self::END1_1_3 * x1_3) + (Self::END1_2_3 * x2_3);
+            let y2_3 = Self::END2_2_3 * x2_3;
+            law_3 = (y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0));
         }
         if elapsed < 30 {
             status = Ok(Status::Ok);
@@ -251,7 +282,7 @@ impl Stage29 {
             axes[1] = status;
             u[2] = law_3;
             axes[2] = status;
-            if 1.0 < law_1 {
+            if law_1 > 1.0 {
                 u[0] = 1.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -260,7 +291,7 @@ impl Stage29 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 2.0 < law_2 {
+            if law_2 > 2.0 {
                 u[1] = 2.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -269,7 +300,7 @@ impl Stage29 {
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 3.0 < law_3 {
+            if law_3 > 3.0 {
                 u[2] = 3.0;
                 axes[2] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

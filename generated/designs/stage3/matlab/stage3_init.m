@@ -53,7 +53,7 @@ function self = stage3_init(params) %#codegen
 %   envelope: not checked: it does not examine a clock in samples.
 
 given.u_max = double(params.u_max);
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage3:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 u_max = given.u_max;

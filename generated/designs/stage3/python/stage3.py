@@ -105,6 +105,53 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/1000, prediction of x1 from x2.
+_PHI1_2 = _R(0.001)
+# 1/2000000, prediction of x1 from d.
+_PHI1_3 = _R(5e-7)
+# 1/2000000, prediction from u.
+_GAMMA1 = _R(5e-7)
+# 1/1000, prediction of x2 from d.
+_PHI2_3 = _R(0.001)
+# 1/1000, prediction from u.
+_GAMMA2 = _R(0.001)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 20
+# Weight in the observer's gain l1.
+_Q1_1 = _R(120.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-60.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-108000.0)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(36000.0)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(24000000.0)
+# 3000/7, gain of the observer at its end.
+_E0_2 = _R(428.57142857142856)
+# 1000000/7, gain of the observer at its end.
+_E0_3 = _R(142857.14285714287)
+# 6000/7, gain of the observer at its end.
+_E1_2 = _R(857.1428571428571)
+# -2000000/7, gain of the observer at its end.
+_E1_3 = _R(-285714.28571428574)
+# Gain of the observer at its end.
+_E2_2 = _R(1500.0)
+# Gain of the observer at its end.
+_E2_3 = _R(1000000.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-120000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(60000.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-60000.0)
+# Weight of u1 in the law.
+_W3_3 = _R(-12.0)
+# Samples from the start to rest.
+_SAMPLES = 40
+
 class Stage3:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -114,7 +161,7 @@ class Stage3:
     def __init__(self, params: Params) -> None:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             u_max = given_u_max
             self._start = 0
@@ -155,9 +202,11 @@ class Stage3:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (0.001 * self._x2_hat) + (5e-7 * self._d_hat)
-            p1 = s1 + (5e-7 * self._u2)
-            p2 = self._x2_hat + (0.001 * self._d_hat) + (0.001 * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
 
             # Correct by what is measured.
@@ -167,41 +216,41 @@ class Stage3:
             else:
                 base = p1
                 miss = y[0] - p1
-            left_o = max(20 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if 8.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
-                l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2
-                l3 = 24000000.0 * r0 * r1 * r2
+            if o0 > 8.0:
+                o0f2 = o0 * (o0 - 1.0)
+                r0 = 1.0 / (o0f2 * (o0 - 2.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l2 = (_Q2_1 + (_Q2_2 * o0)) * r0
+                l3 = _Q3_1 * r0
             elif left_o == 8:
                 l1 = _R(1.0)
-                l2 = _R(428.57142857142856)
-                l3 = _R(142857.14285714287)
+                l2 = _E0_2
+                l3 = _E0_3
             elif left_o == 7:
                 l1 = _R(1.0)
-                l2 = _R(857.1428571428571)
-                l3 = _R(-285714.28571428574)
+                l2 = _E1_2
+                l3 = _E1_3
             else:
                 l1 = _R(1.0)
-                l2 = _R(1500.0)
-                l3 = _R(1000000.0)
+                l2 = _E2_2
+                l3 = _E2_3
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             d = p3 + (l3 * miss)
 
             # The exact law in samples.
             m0 = _R((43 - elapsed) & _WRAP) if elapsed < 37 else _R(6.0)
-            z1 = ((-120000000.0) * x1) + (60000.0 * x2)
-            z2 = (-60000.0) * x2
-            z3 = (-12.0) * (self._u1 + d)
-            s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)
-            v = (s2 + (self._u1 + d)) - d
+            z1 = (_W1_1 * x1) + (_W1_2 * x2)
+            z2 = _W2_2 * x2
+            z3 = _W3_3 * (self._u1 + d)
+            m0f2 = m0 * (m0 - 1.0)
+            s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))
+            v = (s4 + (self._u1 + d)) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -213,9 +262,9 @@ class Stage3:
             self._x2_hat = x2
             self._d_hat = d
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
-            elif elapsed < 40:
+            elif elapsed < _SAMPLES:
                 return Control(u_now, Status.OK)
             else:
                 return Control(u_now, Status.HOLD)

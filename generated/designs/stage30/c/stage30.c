@@ -33,22 +33,25 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE30_DEADBEAT_1 2.5f /* 5/2, samples to go at which deadbeat takes over */
+#define STAGE30_DEADBEAT_2 2.5f /* 5/2, samples to go at which deadbeat takes over */
 ptc_status stage30_init(stage30 *self, const stage30_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((2U < params->samples)
+        if ((params->samples > 2U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (0.0f < params->u_max)
+            && (params->u_max > 0.0f)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->k[2])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float hold = 0.02f / params->h;
             const float s1 = -(params->k[0] / (params->a * params->a * params->a));
@@ -79,8 +82,8 @@ ptc_status stage30_init(stage30 *self, const stage30_params *params)
                 && PTC_FINITE_F32(b_1_1)
                 && PTC_FINITE_F32(b_2_1)
                 && PTC_FINITE_F32(b_3_1)
-                && (1e-30f <= params->h * params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h * params->h))) {
+                && (params->h * params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h * params->h) >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->hold = hold;
@@ -140,7 +143,7 @@ ptc_status stage30_step(
             float law_1;
             const float m0_2 = ((float)left < self->hold) ? self->hold : (float)left;
             float law_2;
-            if (2.5f < m0_1) {
+            if (m0_1 > STAGE30_DEADBEAT_1) {
                 /* The exact law in samples. */
                 const float s1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
                 const float z1_1 = s1 + (self->w1_3_1 * x3_1);
@@ -152,7 +155,7 @@ ptc_status stage30_step(
                 const float s2 = (self->b_1_1 * x1_1) + (self->b_2_1 * x2_1);
                 law_1 = s2 + (self->b_3_1 * x3_1);
             }
-            if (2.5f < m0_2) {
+            if (m0_2 > STAGE30_DEADBEAT_2) {
                 /* The exact law in samples. */
                 const float s3 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
                 const float z1_2 = s3 + (self->w1_3_1 * x3_2);
@@ -164,7 +167,7 @@ ptc_status stage30_step(
                 const float s4 = (self->b_1_1 * x1_2) + (self->b_2_1 * x2_2);
                 law_2 = s4 + (self->b_3_1 * x3_2);
             }
-            if (self->hold < (float)left) {
+            if ((float)left > self->hold) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
@@ -174,7 +177,7 @@ ptc_status stage30_step(
                 axes[0] = status;
                 u[1] = law_2;
                 axes[1] = status;
-                if (self->u_max < law_1) {
+                if (law_1 > self->u_max) {
                     u[0] = self->u_max;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -185,7 +188,7 @@ ptc_status stage30_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < law_2) {
+                if (law_2 > self->u_max) {
                     u[1] = self->u_max;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE30_C68693F4_H
-#define STAGE30_C68693F4_H
+#ifndef STAGE30_BEC50DA5_H
+#define STAGE30_BEC50DA5_H
 
 #include <stdint.h>
 
@@ -84,15 +84,15 @@ typedef struct stage30 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     float hold; /* samples to go at which the gains are held */
-    float w1_1_1; /* weight of a state in the law */
-    float w1_2_1; /* weight of a state in the law */
-    float w1_3_1; /* weight of a state in the law */
-    float w2_2_1; /* weight of a state in the law */
-    float w2_3_1; /* weight of a state in the law */
-    float w3_3_1; /* weight of a state in the law */
-    float b_1_1; /* weight of a state in the law */
-    float b_2_1; /* weight of a state in the law */
-    float b_3_1; /* weight of a state in the law */
+    float w1_1_1; /* weight of x1 in the law */
+    float w1_2_1; /* weight of x2 in the law */
+    float w1_3_1; /* weight of x3 in the law */
+    float w2_2_1; /* weight of x2 in the law */
+    float w2_3_1; /* weight of x3 in the law */
+    float w3_3_1; /* weight of x3 in the law */
+    float b_1_1; /* weight of x1 in the law */
+    float b_2_1; /* weight of x2 in the law */
+    float b_3_1; /* weight of x3 in the law */
     float u_max; /* bound of |u| */
 } stage30;
 

@@ -41,8 +41,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE30_E5628DFD_HPP
-#define STAGE30_E5628DFD_HPP
+#ifndef STAGE30_F5CC1323_HPP
+#define STAGE30_F5CC1323_HPP
 
 #include <array>
 #include <cfloat>
@@ -132,17 +132,17 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((2U < params.samples)
+        if (!((params.samples > 2U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
-                && (0.0f < params.u_max)
+                && (params.u_max > 0.0f)
                 && (1e-18f <= params.a)
                 && (params.a <= 1e18f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -175,8 +175,8 @@ public:
                 && finite(b_1_1)
                 && finite(b_2_1)
                 && finite(b_3_1)
-                && (1e-30f <= params.h * params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h * params.h)))) {
+                && (params.h * params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h * params.h) >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -227,7 +227,7 @@ public:
         float law_1{};
         const float m0_2 = (static_cast<float>(left) < hold_) ? hold_ : static_cast<float>(left);
         float law_2{};
-        if (2.5f < m0_1) {
+        if (m0_1 > deadbeat_1_) {
             // The exact law in samples.
             const float s1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
             const float z1_1 = s1 + (w1_3_1_ * x3_1);
@@ -239,7 +239,7 @@ public:
             const float s2 = (b_1_1_ * x1_1) + (b_2_1_ * x2_1);
             law_1 = s2 + (b_3_1_ * x3_1);
         }
-        if (2.5f < m0_2) {
+        if (m0_2 > deadbeat_2_) {
             // The exact law in samples.
             const float s3 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
             const float z1_2 = s3 + (w1_3_1_ * x3_2);
@@ -251,7 +251,7 @@ public:
             const float s4 = (b_1_1_ * x1_2) + (b_2_1_ * x2_2);
             law_2 = s4 + (b_3_1_ * x3_2);
         }
-        if (hold_ < static_cast<float>(left)) {
+        if (static_cast<float>(left) > hold_) {
             all.status = Status::Ok;
         } else {
             all.status = Status::Hold;
@@ -261,7 +261,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = law_2;
             all.axes[1] = all.status;
-            if (u_max_ < law_1) {
+            if (law_1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -270,7 +270,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < law_2) {
+            if (law_2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -303,19 +303,23 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// 5/2, samples to go at which deadbeat takes over.
+    static constexpr float deadbeat_1_{2.5f};
+    /// 5/2, samples to go at which deadbeat takes over.
+    static constexpr float deadbeat_2_{2.5f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     float hold_{}; // samples to go at which the gains are held
-    float w1_1_1_{}; // weight of a state in the law
-    float w1_2_1_{}; // weight of a state in the law
-    float w1_3_1_{}; // weight of a state in the law
-    float w2_2_1_{}; // weight of a state in the law
-    float w2_3_1_{}; // weight of a state in the law
-    float w3_3_1_{}; // weight of a state in the law
-    float b_1_1_{}; // weight of a state in the law
-    float b_2_1_{}; // weight of a state in the law
-    float b_3_1_{}; // weight of a state in the law
+    float w1_1_1_{}; // weight of x1 in the law
+    float w1_2_1_{}; // weight of x2 in the law
+    float w1_3_1_{}; // weight of x3 in the law
+    float w2_2_1_{}; // weight of x2 in the law
+    float w2_3_1_{}; // weight of x3 in the law
+    float w3_3_1_{}; // weight of x3 in the law
+    float b_1_1_{}; // weight of x1 in the law
+    float b_2_1_{}; // weight of x2 in the law
+    float b_3_1_{}; // weight of x3 in the law
     float u_max_{}; // bound of |u|
 };
 

@@ -67,13 +67,13 @@ if numel(params.k) ~= 3
     error('stage30:param', 'params.k has %d numbers; legal: 3', numel(params.k));
 end
 given.deadbeat = single(params.deadbeat);
-if ~(uint32(2) < given.samples)
+if ~(given.samples > uint32(2))
     error('stage30:param', 'params.samples is %g; legal: >= 3', params.samples);
 end
 if ~((single(1.000000045813705e-18) <= given.h) && (given.h <= single(9.999999843067494e17)))
     error('stage30:param', 'params.h is %g; legal: from 1.000000045813705e-18 to 9.999999843067494e17', params.h);
 end
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage30:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~((single(1.000000045813705e-18) <= given.a) && (given.a <= single(9.999999843067494e17)))
@@ -88,7 +88,7 @@ end
 if ~isfinite(given.k(3))
     error('stage30:param', 'params.k(3) is %g; legal: finite', params.k(3));
 end
-if ~(isfinite(given.deadbeat) && (single(0.0) <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= single(0.0)))
     error('stage30:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
@@ -121,8 +121,8 @@ if ~(isfinite(hold) ...
     && isfinite(b_1_1) ...
     && isfinite(b_2_1) ...
     && isfinite(b_3_1) ...
-    && (single(1.0000000031710769e-30) <= given.h * given.h * given.h) ...
-    && (single(1.0000000031710769e-30) <= single(1.0) / (given.h * given.h * given.h)))
+    && (given.h * given.h * given.h >= single(1.0000000031710769e-30)) ...
+    && (single(1.0) / (given.h * given.h * given.h) >= single(1.0000000031710769e-30)))
     error('stage30:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -14,6 +14,8 @@ function [u, axes, status] = stage30_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+deadbeat_1 = single(2.5); % 5/2, samples to go at which deadbeat takes over
+deadbeat_2 = single(2.5); % 5/2, samples to go at which deadbeat takes over
 u = zeros(2, 1, 'single');
 axes = repmat(int32(-2), 2, 1);
 k = double(k);
@@ -42,7 +44,7 @@ x3_2 = x(2, 3);
 left = self.samples - elapsed;
 m0_1 = pick(single(left) < self.hold, self.hold, single(left));
 m0_2 = pick(single(left) < self.hold, self.hold, single(left));
-if single(2.5) < m0_1
+if m0_1 > deadbeat_1
     % The exact law in samples.
     s1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
     z1_1 = s1 + (self.w1_3_1 * x3_1);
@@ -54,7 +56,7 @@ else
     s2 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
     law_1 = s2 + (self.b_3_1 * x3_1);
 end
-if single(2.5) < m0_2
+if m0_2 > deadbeat_2
     % The exact law in samples.
     s3 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
     z1_2 = s3 + (self.w1_3_1 * x3_2);
@@ -66,7 +68,7 @@ else
     s4 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
     law_2 = s4 + (self.b_3_1 * x3_2);
 end
-if self.hold < single(left)
+if single(left) > self.hold
     status = int32(0);
 else
     status = int32(1);
@@ -76,7 +78,7 @@ if isfinite(law_1) && isfinite(law_2)
     axes(1) = status;
     u(2) = law_2;
     axes(2) = status;
-    if self.u_max < law_1
+    if law_1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -85,7 +87,7 @@ if isfinite(law_1) && isfinite(law_2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < law_2
+    if law_2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

@@ -131,6 +131,11 @@ def _of_axes(given: ArrayLike, count: int, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: (..., {count}, {length})")
     return numbers
 
+# 5/2, samples to go at which deadbeat takes over.
+_DEADBEAT_1 = _R(_R(2.5))
+# 5/2, samples to go at which deadbeat takes over.
+_DEADBEAT_2 = _R(_R(2.5))
+
 class Stage30:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -147,11 +152,11 @@ class Stage30:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 3, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (2 < given_samples):
+            if not (given_samples > 2):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 3")
             if not (_R(1.000000045813705e-18) <= given_h <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.h is {params.h}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (_R(1.000000045813705e-18) <= given_a <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
@@ -161,7 +166,7 @@ class Stage30:
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
             if not np.isfinite(given_k[2]):
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             hold = _R(0.019999999552965164) / given_h
@@ -194,8 +199,8 @@ class Stage30:
                 and np.isfinite(b_1_1)
                 and np.isfinite(b_2_1)
                 and np.isfinite(b_3_1)
-                and (_R(1.0000000031710769e-30) <= given_h * given_h * given_h)
-                and (_R(1.0000000031710769e-30) <= _R(1.0) / (given_h * given_h * given_h))
+                and (given_h * given_h * given_h >= _R(1.0000000031710769e-30))
+                and (_R(1.0) / (given_h * given_h * given_h) >= _R(1.0000000031710769e-30))
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -252,7 +257,7 @@ class Stage30:
             left = max(self._samples - elapsed, 0)
             m0_1 = max(_R(left), self._hold)
             m0_2 = max(_R(left), self._hold)
-            if _R(2.5) < m0_1:
+            if m0_1 > _DEADBEAT_1:
                 # The exact law in samples.
                 s1 = (self._w1_1_1 * x1_1) + (self._w1_2_1 * x2_1)
                 z1_1 = s1 + (self._w1_3_1 * x3_1)
@@ -263,7 +268,7 @@ class Stage30:
                 # Deadbeat.
                 s2 = (self._b_1_1 * x1_1) + (self._b_2_1 * x2_1)
                 law_1 = s2 + (self._b_3_1 * x3_1)
-            if _R(2.5) < m0_2:
+            if m0_2 > _DEADBEAT_2:
                 # The exact law in samples.
                 s3 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
                 z1_2 = s3 + (self._w1_3_1 * x3_2)
@@ -274,7 +279,7 @@ class Stage30:
                 # Deadbeat.
                 s4 = (self._b_1_1 * x1_2) + (self._b_2_1 * x2_2)
                 law_2 = s4 + (self._b_3_1 * x3_2)
-            if self._hold < _R(left):
+            if _R(left) > self._hold:
                 status = Status.OK
             else:
                 status = Status.HOLD
@@ -283,7 +288,7 @@ class Stage30:
                 axes[0] = status
                 u[1] = law_2
                 axes[1] = status
-                if self._u_max < law_1:
+                if law_1 > self._u_max:
                     u[0] = self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -291,7 +296,7 @@ class Stage30:
                     u[0] = -self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if self._u_max < law_2:
+                if law_2 > self._u_max:
                     u[1] = self._u_max
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

@@ -155,23 +155,23 @@ pub struct Stage30 {
     samples: u32,
     /// samples to go at which the gains are held.
     hold: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2_1: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2_1: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3_1: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3_1: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2_1: f32,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     b_3_1: f32,
     /// bound of |u|.
     u_max: f32,
@@ -186,22 +186,27 @@ pub struct Stage30 {
     clippy::nursery
 )]
 impl Stage30 {
+    /// 5/2, samples to go at which deadbeat takes over.
+    const DEADBEAT_1: f32 = 2.5;
+    /// 5/2, samples to go at which deadbeat takes over.
+    const DEADBEAT_2: f32 = 2.5;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage30Params) -> Result<Self, Error> {
-        if !((2 < params.samples)
+        if !((params.samples > 2)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && (1e-18 <= params.a)
             && (params.a <= 1e18)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
@@ -235,8 +240,8 @@ impl Stage30 {
             && b_1_1.is_finite()
             && b_2_1.is_finite()
             && b_3_1.is_finite()
-            && (1e-30 <= params.h * params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h * params.h)))
+            && (params.h * params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h * params.h) >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -305,7 +310,7 @@ impl Stage30 {
             left as f32
         };
         let law_2: f32;
-        if 2.5 < m0_1 {
+        if m0_1 > Self::DEADBEAT_1 {
             // The exact law in samples.
             let s1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
             let z1_1 = s1 + (self.w1_3_1 * x3_1);
@@ -317,7 +322,7 @@ impl Stage30 {
             let s2 = (self.b_1_1 * x1_1) + (self.b_2_1 * x2_1);
             law_1 = s2 + (self.b_3_1 * x3_1);
         }
-        if 2.5 < m0_2 {
+        if m0_2 > Self::DEADBEAT_2 {
             // The exact law in samples.
             let s3 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
             let z1_2 = s3 + (self.w1_3_1 * x3_2);
@@ -329,7 +334,7 @@ impl Stage30 {
             let s4 = (self.b_1_1 * x1_2) + (self.b_2_1 * x2_2);
             law_2 = s4 + (self.b_3_1 * x3_2);
         }
-        if self.hold < (left as f32) {
+        if (left as f32) > self.hold {
             status = Ok(Status::Ok);
         } else {
             status = Ok(Status::Hold);
@@ -339,7 +344,7 @@ impl Stage30 {
             axes[0] = status;
             u[1] = law_2;
             axes[1] = status;
-            if self.u_max < law_1 {
+            if law_1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -348,7 +353,7 @@ impl Stage30 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < law_2 {
+            if law_2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -33,38 +33,40 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE31_END_SAMPLES_2 6.0 /* samples to go at which the law of the end takes over */
 ptc_status stage31_init(stage31 *self, const stage31_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples) && (1e-150 <= params->h) && (params->h <= 1e150)) {
+        if ((params->samples > 1U) && (1e-150 <= params->h) && (params->h <= 1e150)) {
             const uint32_t samples = params->samples;
             const double w1_1_1 = (-4.0) * (1.0 / params->h);
             const double w1_1_2 = (-13.5) * (1.0 / (params->h * params->h));
             const double w1_2_2 = 6.75 * (1.0 / params->h);
             const double w2_2_2 = (-6.5) * (1.0 / params->h);
-            const double q1_1_2 = (-12.0) * (1.0 / (params->h * params->h));
-            const double q1_2_2 = 6.0 * (1.0 / params->h);
-            const double q2_2_2 = (-6.0) * (1.0 / params->h);
+            const double end1_1_2 = (-12.0) * (1.0 / (params->h * params->h));
+            const double end1_2_2 = 6.0 * (1.0 / params->h);
+            const double end2_2_2 = (-6.0) * (1.0 / params->h);
             if (PTC_FINITE_F64(w1_1_1)
                 && PTC_FINITE_F64(w1_1_2)
                 && PTC_FINITE_F64(w1_2_2)
                 && PTC_FINITE_F64(w2_2_2)
-                && PTC_FINITE_F64(q1_1_2)
-                && PTC_FINITE_F64(q1_2_2)
-                && PTC_FINITE_F64(q2_2_2)
-                && (1e-200 <= params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                && PTC_FINITE_F64(end1_1_2)
+                && PTC_FINITE_F64(end1_2_2)
+                && PTC_FINITE_F64(end2_2_2)
+                && (params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->w1_1_1 = w1_1_1;
                 self->w1_1_2 = w1_1_2;
                 self->w1_2_2 = w1_2_2;
                 self->w2_2_2 = w2_2_2;
-                self->q1_1_2 = q1_1_2;
-                self->q1_2_2 = q1_2_2;
-                self->q2_2_2 = q2_2_2;
+                self->end1_1_2 = end1_1_2;
+                self->end1_2_2 = end1_2_2;
+                self->end2_2_2 = end2_2_2;
                 status = PTC_OK;
             }
         }
@@ -125,17 +127,18 @@ ptc_status stage31_step(
             law_1 = (z1_1 / (m0_1 + 3.0)) + r[0][1];
             const double m0_2 = ((double)left) - 2.0;
             double law_2;
-            if (6.0 < m0_2) {
+            if (m0_2 > STAGE31_END_SAMPLES_2) {
                 /* The exact law in samples. */
                 const double z1_2 = (self->w1_1_2 * e1_2) + (self->w1_2_2 * e2_2);
                 const double z2_2 = self->w2_2_2 * e2_2;
-                law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[1][2];
+                law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))) + r[1][2];
             } else {
                 /* The law of least energy to the end. */
                 const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
-                const double y1_2 = (self->q1_1_2 * e1_2) + (self->q1_2_2 * e2_2);
-                const double y2_2 = self->q2_2_2 * e2_2;
-                law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[1][2];
+                const double y1_2 = (self->end1_1_2 * e1_2) + (self->end1_2_2 * e2_2);
+                const double y2_2 = self->end2_2_2 * e2_2;
+                const double m1f_21 = m1_2 + 2.0;
+                law_2 = ((y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0))) + r[1][2];
             }
 
             /* The inputs that give all of them. */
@@ -155,7 +158,7 @@ ptc_status stage31_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (2.0 < control1) {
+                if (control1 > 2.0) {
                     u[0] = 2.0;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -166,7 +169,7 @@ ptc_status stage31_step(
                 } else {
                     /* neither */
                 }
-                if (3.0 < control2) {
+                if (control2 > 3.0) {
                     u[1] = 3.0;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

@@ -68,8 +68,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_E9A1195A_H
-#define STAGE31_E9A1195A_H
+#ifndef STAGE31_62D4CBBE_H
+#define STAGE31_62D4CBBE_H
 
 #include <stdint.h>
 
@@ -105,13 +105,13 @@ typedef struct stage31_params {
 typedef struct stage31 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
-    double w1_1_1; /* weight of a state in the law */
-    double w1_1_2; /* weight of a state in the law */
-    double w1_2_2; /* weight of a state in the law */
-    double w2_2_2; /* weight of a state in the law */
-    double q1_1_2; /* weight of a state in the law */
-    double q1_2_2; /* weight of a state in the law */
-    double q2_2_2; /* weight of a state in the law */
+    double w1_1_1; /* weight of x1 in the law */
+    double w1_1_2; /* weight of x1 in the law */
+    double w1_2_2; /* weight of x2 in the law */
+    double w2_2_2; /* weight of x2 in the law */
+    double end1_1_2; /* weight of x1 in the law */
+    double end1_2_2; /* weight of x2 in the law */
+    double end2_2_2; /* weight of x2 in the law */
 } stage31;
 
 /* Takes the parameters and arms at tick 0. PTC_OK, or PTC_E_PARAM with *self untouched. */

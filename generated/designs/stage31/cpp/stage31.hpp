@@ -67,8 +67,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 1, 2, whose sum is the number of states.
  */
-#ifndef STAGE31_3732CA4E_HPP
-#define STAGE31_3732CA4E_HPP
+#ifndef STAGE31_EF41FFF8_HPP
+#define STAGE31_EF41FFF8_HPP
 
 #include <array>
 #include <cfloat>
@@ -154,7 +154,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples) && (1e-150 <= params.h) && (params.h <= 1e150))) {
+        if (!((params.samples > 1U) && (1e-150 <= params.h) && (params.h <= 1e150))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -162,18 +162,18 @@ public:
         const double w1_1_2 = (-13.5) * (1.0 / (params.h * params.h));
         const double w1_2_2 = 6.75 * (1.0 / params.h);
         const double w2_2_2 = (-6.5) * (1.0 / params.h);
-        const double q1_1_2 = (-12.0) * (1.0 / (params.h * params.h));
-        const double q1_2_2 = 6.0 * (1.0 / params.h);
-        const double q2_2_2 = (-6.0) * (1.0 / params.h);
+        const double end1_1_2 = (-12.0) * (1.0 / (params.h * params.h));
+        const double end1_2_2 = 6.0 * (1.0 / params.h);
+        const double end2_2_2 = (-6.0) * (1.0 / params.h);
         if (!(finite(w1_1_1)
                 && finite(w1_1_2)
                 && finite(w1_2_2)
                 && finite(w2_2_2)
-                && finite(q1_1_2)
-                && finite(q1_2_2)
-                && finite(q2_2_2)
-                && (1e-200 <= params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+                && finite(end1_1_2)
+                && finite(end1_2_2)
+                && finite(end2_2_2)
+                && (params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -182,9 +182,9 @@ public:
         w1_1_2_ = w1_1_2;
         w1_2_2_ = w1_2_2;
         w2_2_2_ = w2_2_2;
-        q1_1_2_ = q1_1_2;
-        q1_2_2_ = q1_2_2;
-        q2_2_2_ = q2_2_2;
+        end1_1_2_ = end1_1_2;
+        end1_2_2_ = end1_2_2;
+        end2_2_2_ = end2_2_2;
         return Status::Ok;
     }
 
@@ -233,17 +233,18 @@ public:
         law_1 = (z1_1 / (m0_1 + 3.0)) + r[0][1];
         const double m0_2 = static_cast<double>(left) - 2.0;
         double law_2{};
-        if (6.0 < m0_2) {
+        if (m0_2 > end_samples_2_) {
             // The exact law in samples.
             const double z1_2 = (w1_1_2_ * e1_2) + (w1_2_2_ * e2_2);
             const double z2_2 = w2_2_2_ * e2_2;
-            law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[1][2];
+            law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))) + r[1][2];
         } else {
             // The law of least energy to the end.
             const double m1_2 = (m0_2 < 2.0) ? 2.0 : m0_2;
-            const double y1_2 = (q1_1_2_ * e1_2) + (q1_2_2_ * e2_2);
-            const double y2_2 = q2_2_2_ * e2_2;
-            law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[1][2];
+            const double y1_2 = (end1_1_2_ * e1_2) + (end1_2_2_ * e2_2);
+            const double y2_2 = end2_2_2_ * e2_2;
+            const double m1f_21 = m1_2 + 2.0;
+            law_2 = ((y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0))) + r[1][2];
         }
 
         // The inputs that give all of them.
@@ -263,7 +264,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (2.0 < control1) {
+            if (control1 > 2.0) {
                 all.u[0] = 2.0;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -272,7 +273,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (3.0 < control2) {
+            if (control2 > 3.0) {
                 all.u[1] = 3.0;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -305,16 +306,18 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Samples to go at which the law of the end takes over.
+    static constexpr double end_samples_2_{6.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
-    double w1_1_1_{}; // weight of a state in the law
-    double w1_1_2_{}; // weight of a state in the law
-    double w1_2_2_{}; // weight of a state in the law
-    double w2_2_2_{}; // weight of a state in the law
-    double q1_1_2_{}; // weight of a state in the law
-    double q1_2_2_{}; // weight of a state in the law
-    double q2_2_2_{}; // weight of a state in the law
+    double w1_1_1_{}; // weight of x1 in the law
+    double w1_1_2_{}; // weight of x1 in the law
+    double w1_2_2_{}; // weight of x2 in the law
+    double w2_2_2_{}; // weight of x2 in the law
+    double end1_1_2_{}; // weight of x1 in the law
+    double end1_2_2_{}; // weight of x2 in the law
+    double end2_2_2_{}; // weight of x2 in the law
 };
 
 } // namespace ptc

@@ -82,7 +82,7 @@ if given.samples ~= params.samples
     error('stage31:param', 'params.samples is %g; legal: 0..2^32 - 1', params.samples);
 end
 given.h = double(params.h);
-if ~(uint32(1) < given.samples)
+if ~(given.samples > uint32(1))
     error('stage31:param', 'params.samples is %g; legal: >= 2', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
@@ -93,18 +93,18 @@ w1_1_1 = (-4.0) * (1.0 / given.h);
 w1_1_2 = (-13.5) * (1.0 / (given.h * given.h));
 w1_2_2 = 6.75 * (1.0 / given.h);
 w2_2_2 = (-6.5) * (1.0 / given.h);
-q1_1_2 = (-12.0) * (1.0 / (given.h * given.h));
-q1_2_2 = 6.0 * (1.0 / given.h);
-q2_2_2 = (-6.0) * (1.0 / given.h);
+end1_1_2 = (-12.0) * (1.0 / (given.h * given.h));
+end1_2_2 = 6.0 * (1.0 / given.h);
+end2_2_2 = (-6.0) * (1.0 / given.h);
 if ~(isfinite(w1_1_1) ...
     && isfinite(w1_1_2) ...
     && isfinite(w1_2_2) ...
     && isfinite(w2_2_2) ...
-    && isfinite(q1_1_2) ...
-    && isfinite(q1_2_2) ...
-    && isfinite(q2_2_2) ...
-    && (1e-200 <= given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h)))
+    && isfinite(end1_1_2) ...
+    && isfinite(end1_2_2) ...
+    && isfinite(end2_2_2) ...
+    && (given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h) >= 1e-200))
     error('stage31:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);
@@ -113,7 +113,7 @@ self.w1_1_1 = w1_1_1;
 self.w1_1_2 = w1_1_2;
 self.w1_2_2 = w1_2_2;
 self.w2_2_2 = w2_2_2;
-self.q1_1_2 = q1_1_2;
-self.q1_2_2 = q1_2_2;
-self.q2_2_2 = q2_2_2;
+self.end1_1_2 = end1_1_2;
+self.end1_2_2 = end1_2_2;
+self.end2_2_2 = end2_2_2;
 end

@@ -14,6 +14,7 @@ function [u, axes, status] = stage31_step(self, k, x, r) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+end_samples_2 = 6.0; % samples to go at which the law of the end takes over
 u = zeros(2, 1, 'double');
 axes = repmat(int32(-2), 2, 1);
 k = double(k);
@@ -56,17 +57,18 @@ m0_1 = pick(s1 < 1.0, 1.0, s1);
 z1_1 = self.w1_1_1 * e1_1;
 law_1 = (z1_1 / (m0_1 + 3.0)) + r(1, 2);
 m0_2 = double(left) - 2.0;
-if 6.0 < m0_2
+if m0_2 > end_samples_2
     % The exact law in samples.
     z1_2 = (self.w1_1_2 * e1_2) + (self.w1_2_2 * e2_2);
     z2_2 = self.w2_2_2 * e2_2;
-    law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r(2, 3);
+    law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))) + r(2, 3);
 else
     % The law of least energy to the end.
     m1_2 = pick(m0_2 < 2.0, 2.0, m0_2);
-    y1_2 = (self.q1_1_2 * e1_2) + (self.q1_2_2 * e2_2);
-    y2_2 = self.q2_2_2 * e2_2;
-    law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r(2, 3);
+    y1_2 = (self.end1_1_2 * e1_2) + (self.end1_2_2 * e2_2);
+    y2_2 = self.end2_2_2 * e2_2;
+    m1f_21 = m1_2 + 2.0;
+    law_2 = ((y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0))) + r(2, 3);
 end
 
 % The inputs that give all of them.
@@ -86,7 +88,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if 2.0 < control1
+    if control1 > 2.0
         u(1) = 2.0;
         axes(1) = int32(2);
         status = int32(2);
@@ -95,7 +97,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if 3.0 < control2
+    if control2 > 3.0
         u(2) = 3.0;
         axes(2) = int32(2);
         status = int32(2);

@@ -148,6 +148,9 @@ def _of_axes(given: ArrayLike, count: int, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: (..., {count}, {length})")
     return numbers
 
+# Samples to go at which the law of the end takes over.
+_END_SAMPLES_2 = _R(6.0)
+
 class Stage31:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -160,7 +163,7 @@ class Stage31:
             if given_samples != given_samples & _WRAP:
                 raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
             given_h = _R(params.h)
-            if not (1 < given_samples):
+            if not (given_samples > 1):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
@@ -169,19 +172,19 @@ class Stage31:
             w1_1_2 = (-13.5) * (1.0 / (given_h * given_h))
             w1_2_2 = 6.75 * (1.0 / given_h)
             w2_2_2 = (-6.5) * (1.0 / given_h)
-            q1_1_2 = (-12.0) * (1.0 / (given_h * given_h))
-            q1_2_2 = 6.0 * (1.0 / given_h)
-            q2_2_2 = (-6.0) * (1.0 / given_h)
+            end1_1_2 = (-12.0) * (1.0 / (given_h * given_h))
+            end1_2_2 = 6.0 * (1.0 / given_h)
+            end2_2_2 = (-6.0) * (1.0 / given_h)
             if not (
                 np.isfinite(w1_1_1)
                 and np.isfinite(w1_1_2)
                 and np.isfinite(w1_2_2)
                 and np.isfinite(w2_2_2)
-                and np.isfinite(q1_1_2)
-                and np.isfinite(q1_2_2)
-                and np.isfinite(q2_2_2)
-                and (1e-200 <= given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h))
+                and np.isfinite(end1_1_2)
+                and np.isfinite(end1_2_2)
+                and np.isfinite(end2_2_2)
+                and (given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -190,9 +193,9 @@ class Stage31:
             self._w1_1_2 = w1_1_2
             self._w1_2_2 = w1_2_2
             self._w2_2_2 = w2_2_2
-            self._q1_1_2 = q1_1_2
-            self._q1_2_2 = q1_2_2
-            self._q2_2_2 = q2_2_2
+            self._end1_1_2 = end1_1_2
+            self._end1_2_2 = end1_2_2
+            self._end2_2_2 = end2_2_2
 
     def arm(self, k: int) -> None:
         """Starts again: the deadline is N samples after tick `k`."""
@@ -248,17 +251,18 @@ class Stage31:
             z1_1 = self._w1_1_1 * e1_1
             law_1 = (z1_1 / (m0_1 + 3.0)) + r[..., 0, 1]
             m0_2 = _R(left) - 2.0
-            if 6.0 < m0_2:
+            if m0_2 > _END_SAMPLES_2:
                 # The exact law in samples.
                 z1_2 = (self._w1_1_2 * e1_2) + (self._w1_2_2 * e2_2)
                 z2_2 = self._w2_2_2 * e2_2
-                law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[..., 1, 2]
+                law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))) + r[..., 1, 2]
             else:
                 # The law of least energy to the end.
                 m1_2 = max(m0_2, _R(2.0))
-                y1_2 = (self._q1_1_2 * e1_2) + (self._q1_2_2 * e2_2)
-                y2_2 = self._q2_2_2 * e2_2
-                law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[..., 1, 2]
+                y1_2 = (self._end1_1_2 * e1_2) + (self._end1_2_2 * e2_2)
+                y2_2 = self._end2_2_2 * e2_2
+                m1f_21 = m1_2 + 2.0
+                law_2 = ((y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0))) + r[..., 1, 2]
 
             # The inputs that give all of them.
             v3 = (-x1_1) * 0.1
@@ -276,7 +280,7 @@ class Stage31:
                 axes[0] = status
                 u[1] = control2
                 axes[1] = status
-                if 2.0 < control1:
+                if control1 > 2.0:
                     u[0] = _R(2.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -284,7 +288,7 @@ class Stage31:
                     u[0] = _R(-2.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if 3.0 < control2:
+                if control2 > 3.0:
                     u[1] = _R(3.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

@@ -171,20 +171,20 @@ pub struct Stage31 {
     start: u32,
     /// samples from the start to rest.
     samples: u32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2_2: f64,
-    /// weight of a state in the law.
-    q1_1_2: f64,
-    /// weight of a state in the law.
-    q1_2_2: f64,
-    /// weight of a state in the law.
-    q2_2_2: f64,
+    /// weight of x1 in the law.
+    end1_1_2: f64,
+    /// weight of x2 in the law.
+    end1_2_2: f64,
+    /// weight of x2 in the law.
+    end2_2_2: f64,
 }
 
 #[allow(
@@ -196,12 +196,15 @@ pub struct Stage31 {
     clippy::nursery
 )]
 impl Stage31 {
+    /// Samples to go at which the law of the end takes over.
+    const END_SAMPLES_2: f64 = 6.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage31Params) -> Result<Self, Error> {
-        if !((1 < params.samples) && (1e-150 <= params.h) && (params.h <= 1e150)) {
+        if !((params.samples > 1) && (1e-150 <= params.h) && (params.h <= 1e150)) {
             return Err(Error::Param);
         }
         let samples = params.samples;
@@ -209,18 +212,18 @@ impl Stage31 {
         let w1_1_2 = (-13.5) * (1.0 / (params.h * params.h));
         let w1_2_2 = 6.75 * (1.0 / params.h);
         let w2_2_2 = (-6.5) * (1.0 / params.h);
-        let q1_1_2 = (-12.0) * (1.0 / (params.h * params.h));
-        let q1_2_2 = 6.0 * (1.0 / params.h);
-        let q2_2_2 = (-6.0) * (1.0 / params.h);
+        let end1_1_2 = (-12.0) * (1.0 / (params.h * params.h));
+        let end1_2_2 = 6.0 * (1.0 / params.h);
+        let end2_2_2 = (-6.0) * (1.0 / params.h);
         if !(w1_1_1.is_finite()
             && w1_1_2.is_finite()
             && w1_2_2.is_finite()
             && w2_2_2.is_finite()
-            && q1_1_2.is_finite()
-            && q1_2_2.is_finite()
-            && q2_2_2.is_finite()
-            && (1e-200 <= params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h)))
+            && end1_1_2.is_finite()
+            && end1_2_2.is_finite()
+            && end2_2_2.is_finite()
+            && (params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -231,9 +234,9 @@ impl Stage31 {
             w1_1_2,
             w1_2_2,
             w2_2_2,
-            q1_1_2,
-            q1_2_2,
-            q2_2_2,
+            end1_1_2,
+            end1_2_2,
+            end2_2_2,
         })
     }
 
@@ -290,17 +293,18 @@ impl Stage31 {
         law_1 = (z1_1 / (m0_1 + 3.0)) + r[0][1];
         let m0_2 = (left as f64) - 2.0;
         let law_2: f64;
-        if 6.0 < m0_2 {
+        if m0_2 > Self::END_SAMPLES_2 {
             // The exact law in samples.
             let z1_2 = (self.w1_1_2 * e1_2) + (self.w1_2_2 * e2_2);
             let z2_2 = self.w2_2_2 * e2_2;
-            law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + r[1][2];
+            law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))) + r[1][2];
         } else {
             // The law of least energy to the end.
             let m1_2 = if m0_2 < 2.0 { 2.0 } else { m0_2 };
-            let y1_2 = (self.q1_1_2 * e1_2) + (self.q1_2_2 * e2_2);
-            let y2_2 = self.q2_2_2 * e2_2;
-            law_2 = (((y1_2 / (m1_2 + 2.0)) + y2_2) / (m1_2 + 1.0)) + r[1][2];
+            let y1_2 = (self.end1_1_2 * e1_2) + (self.end1_2_2 * e2_2);
+            let y2_2 = self.end2_2_2 * e2_2;
+            let m1f_21 = m1_2 + 2.0;
+            law_2 = ((y1_2 + (y2_2 * m1f_21)) / (m1f_21 * (m1_2 + 1.0))) + r[1][2];
         }
 
         // The inputs that give all of them.
@@ -324,7 +328,7 @@ impl Stage31 {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if 2.0 < control1 {
+            if control1 > 2.0 {
                 u[0] = 2.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -333,7 +337,7 @@ impl Stage31 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 3.0 < control2 {
+            if control2 > 3.0 {
                 u[1] = 3.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -33,18 +33,22 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE32_H 0.01 /* 1/100, sample period */
+#define STAGE32_SAMPLES 30U /* samples from the start to rest */
+#define STAGE32_HOLD 4.0 /* samples to go at which the gains are held */
 ptc_status stage32_init(stage32 *self, const stage32_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0.0 < params->u_max)
+        if ((params->u_max > 0.0)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)
+            && (params->deadbeat >= 0.0)
             && PTC_FINITE_F64(params->m)
             && PTC_FINITE_F64(params->size)) {
             const double p_size = params->size;
@@ -107,7 +111,7 @@ ptc_status stage32_step(
             const double x2_2 = x[3];
 
             /* The tracking error. */
-            const double t = 0.01 * ((double)elapsed);
+            const double t = ((double)elapsed) * STAGE32_H;
             const double v_r1 = t * t;
             const double v_r2 = 1.0 + v_r1;
             const double reference0_1 = (self->p_size * v_r1) / v_r2;
@@ -122,25 +126,25 @@ ptc_status stage32_step(
             const double e2_1 = x2_1 - reference1_1;
             const double e1_2 = x1_2;
             const double e2_2 = x2_2;
-            const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-            const double m0_1 = ((double)left < 4.0) ? 4.0 : (double)left;
+            const uint32_t left = (elapsed < STAGE32_SAMPLES) ? (STAGE32_SAMPLES - elapsed) : 0U;
+            const double m0_1 = ((double)left < STAGE32_HOLD) ? STAGE32_HOLD : (double)left;
             double law_1;
 
             /* The exact law in samples. */
             const double z1_1 = (self->w1_1_1 * e1_1) + (self->w1_2_1 * e2_1);
             const double z2_1 = self->w2_2_1 * e2_1;
-            law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
-            const double m0_2 = ((double)left < 4.0) ? 4.0 : (double)left;
+            law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))) + rho0_1;
+            const double m0_2 = ((double)left < STAGE32_HOLD) ? STAGE32_HOLD : (double)left;
             double law_2;
             const double z1_2 = (self->w1_1_1 * e1_2) + (self->w1_2_1 * e2_2);
             const double z2_2 = self->w2_2_1 * e2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
 
             /* The inputs that give all of them. */
             const double s2 = ((self->p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);
             const double control1 = s2 + (self->p_m * x1_2 * x2_1 * x2_2);
             const double control2 = (x1_2 * law_1) + law_2 + ((x2_1 * x2_1 * 0.5) - x1_1);
-            if (4.0 < (double)left) {
+            if ((double)left > STAGE32_HOLD) {
                 status = PTC_OK;
             } else {
                 status = PTC_HOLD;
@@ -150,7 +154,7 @@ ptc_status stage32_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (self->u_max < control1) {
+                if (control1 > self->u_max) {
                     u[0] = self->u_max;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -161,7 +165,7 @@ ptc_status stage32_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < control2) {
+                if (control2 > self->u_max) {
                     u[1] = self->u_max;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

@@ -68,8 +68,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE32_4EC9F8ED_H
-#define STAGE32_4EC9F8ED_H
+#ifndef STAGE32_1793ABAC_H
+#define STAGE32_1793ABAC_H
 
 #include <stdint.h>
 
@@ -110,9 +110,9 @@ typedef struct stage32 {
     uint32_t start; /* tick at which it was armed */
     double p_size; /* parameter of an expression of the design */
     double c_r3; /* derived from the parameters */
-    double w1_1_1; /* weight of a state in the law */
-    double w1_2_1; /* weight of a state in the law */
-    double w2_2_1; /* weight of a state in the law */
+    double w1_1_1; /* weight of x1 in the law */
+    double w1_2_1; /* weight of x2 in the law */
+    double w2_2_1; /* weight of x2 in the law */
     double p_m; /* parameter of an expression of the design */
     double u_max; /* bound of |u| */
 } stage32;

@@ -67,8 +67,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE32_C3D7B615_HPP
-#define STAGE32_C3D7B615_HPP
+#ifndef STAGE32_328BBFFB_HPP
+#define STAGE32_328BBFFB_HPP
 
 #include <array>
 #include <cfloat>
@@ -158,13 +158,13 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((0.0 < params.u_max)
+        if (!((params.u_max > 0.0)
                 && (1e-150 <= params.a)
                 && (params.a <= 1e150)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat)
+                && (params.deadbeat >= 0.0)
                 && finite(params.m)
                 && finite(params.size))) {
             return Status::Param;
@@ -215,7 +215,7 @@ public:
         const double x2_2 = x[3];
 
         // The tracking error.
-        const double t = 0.01 * static_cast<double>(elapsed);
+        const double t = static_cast<double>(elapsed) * h_;
         const double v_r1 = t * t;
         const double v_r2 = 1.0 + v_r1;
         const double reference0_1 = (p_size_ * v_r1) / v_r2;
@@ -230,25 +230,25 @@ public:
         const double e2_1 = x2_1 - reference1_1;
         const double e1_2 = x1_2;
         const double e2_2 = x2_2;
-        const std::uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-        const double m0_1 = (static_cast<double>(left) < 4.0) ? 4.0 : static_cast<double>(left);
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0_1 = (static_cast<double>(left) < hold_) ? hold_ : static_cast<double>(left);
         double law_1{};
 
         // The exact law in samples.
         const double z1_1 = (w1_1_1_ * e1_1) + (w1_2_1_ * e2_1);
         const double z2_1 = w2_2_1_ * e2_1;
-        law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
-        const double m0_2 = (static_cast<double>(left) < 4.0) ? 4.0 : static_cast<double>(left);
+        law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))) + rho0_1;
+        const double m0_2 = (static_cast<double>(left) < hold_) ? hold_ : static_cast<double>(left);
         double law_2{};
         const double z1_2 = (w1_1_1_ * e1_2) + (w1_2_1_ * e2_2);
         const double z2_2 = w2_2_1_ * e2_2;
-        law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+        law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
 
         // The inputs that give all of them.
         const double s2 = ((p_m_ + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);
         const double control1 = s2 + (p_m_ * x1_2 * x2_1 * x2_2);
         const double control2 = (x1_2 * law_1) + law_2 + ((x2_1 * x2_1 * 0.5) - x1_1);
-        if (4.0 < static_cast<double>(left)) {
+        if (static_cast<double>(left) > hold_) {
             all.status = Status::Ok;
         } else {
             all.status = Status::Hold;
@@ -258,7 +258,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (u_max_ < control1) {
+            if (control1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -267,7 +267,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control2) {
+            if (control2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -300,13 +300,19 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// 1/100, sample period.
+    static constexpr double h_{0.01};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{30U};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{4.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     double p_size_{}; // parameter of an expression of the design
     double c_r3_{}; // derived from the parameters
-    double w1_1_1_{}; // weight of a state in the law
-    double w1_2_1_{}; // weight of a state in the law
-    double w2_2_1_{}; // weight of a state in the law
+    double w1_1_1_{}; // weight of x1 in the law
+    double w1_2_1_{}; // weight of x2 in the law
+    double w2_2_1_{}; // weight of x2 in the law
     double p_m_{}; // parameter of an expression of the design
     double u_max_{}; // bound of |u|
 };

@@ -90,7 +90,7 @@ end
 given.deadbeat = double(params.deadbeat);
 given.m = double(params.m);
 given.size = double(params.size);
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage32:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~((1e-150 <= given.a) && (given.a <= 1e150))
@@ -102,7 +102,7 @@ end
 if ~isfinite(given.k(2))
     error('stage32:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage32:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 if ~isfinite(given.m)

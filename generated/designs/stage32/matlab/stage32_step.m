@@ -14,6 +14,9 @@ function [u, axes, status] = stage32_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+h = 0.01; % 1/100, sample period
+samples = uint32(30); % samples from the start to rest
+hold = 4.0; % samples to go at which the gains are held
 u = zeros(2, 1, 'double');
 axes = repmat(int32(-2), 2, 1);
 k = double(k);
@@ -36,7 +39,7 @@ x1_2 = x(2);
 x2_2 = x(4);
 
 % The tracking error.
-t = 0.01 * double(elapsed);
+t = double(elapsed) * h;
 v_r1 = t * t;
 v_r2 = 1.0 + v_r1;
 reference0_1 = (self.p_size * v_r1) / v_r2;
@@ -51,23 +54,23 @@ e1_1 = x1_1 - reference0_1;
 e2_1 = x2_1 - reference1_1;
 e1_2 = x1_2;
 e2_2 = x2_2;
-left = uint32(30) - elapsed;
-m0_1 = pick(double(left) < 4.0, 4.0, double(left));
+left = samples - elapsed;
+m0_1 = pick(double(left) < hold, hold, double(left));
 
 % The exact law in samples.
 z1_1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
 z2_1 = self.w2_2_1 * e2_1;
-law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
-m0_2 = pick(double(left) < 4.0, 4.0, double(left));
+law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))) + rho0_1;
+m0_2 = pick(double(left) < hold, hold, double(left));
 z1_2 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
 z2_2 = self.w2_2_1 * e2_2;
-law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
 
 % The inputs that give all of them.
 s2 = ((self.p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);
 control1 = s2 + (self.p_m * x1_2 * x2_1 * x2_2);
 control2 = (x1_2 * law_1) + law_2 + ((x2_1 * x2_1 * 0.5) - x1_1);
-if 4.0 < double(left)
+if double(left) > hold
     status = int32(0);
 else
     status = int32(1);
@@ -77,7 +80,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if self.u_max < control1
+    if control1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -86,7 +89,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control2
+    if control2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

@@ -150,6 +150,13 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/100, sample period.
+_H = _R(0.01)
+# Samples from the start to rest.
+_SAMPLES = 30
+# Samples to go at which the gains are held.
+_HOLD = _R(4.0)
+
 class Stage32:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -164,7 +171,7 @@ class Stage32:
             given_deadbeat = _R(params.deadbeat)
             given_m = _R(params.m)
             given_size = _R(params.size)
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (1e-150 <= given_a <= 1e150):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
@@ -172,7 +179,7 @@ class Stage32:
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             if not np.isfinite(given_m):
                 raise ValueError(f"params.m is {params.m}; legal: finite")
@@ -242,7 +249,7 @@ class Stage32:
             x2_2 = x[3]
 
             # The tracking error.
-            t = 0.01 * _R(elapsed)
+            t = _R(elapsed) * _H
             v_r1 = t * t
             v_r2 = 1.0 + v_r1
             reference0_1 = (self._p_size * v_r1) / v_r2
@@ -257,23 +264,23 @@ class Stage32:
             e2_1 = x2_1 - reference1_1
             e1_2 = x1_2
             e2_2 = x2_2
-            left = max(30 - elapsed, 0)
-            m0_1 = max(_R(left), _R(4.0))
+            left = max(_SAMPLES - elapsed, 0)
+            m0_1 = max(_R(left), _HOLD)
 
             # The exact law in samples.
             z1_1 = (self._w1_1_1 * e1_1) + (self._w1_2_1 * e2_1)
             z2_1 = self._w2_2_1 * e2_1
-            law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1
-            m0_2 = max(_R(left), _R(4.0))
+            law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))) + rho0_1
+            m0_2 = max(_R(left), _HOLD)
             z1_2 = (self._w1_1_1 * e1_2) + (self._w1_2_1 * e2_2)
             z2_2 = self._w2_2_1 * e2_2
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))
 
             # The inputs that give all of them.
             s2 = ((self._p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2)
             control1 = s2 + (self._p_m * x1_2 * x2_1 * x2_2)
             control2 = (x1_2 * law_1) + law_2 + ((x2_1 * x2_1 * 0.5) - x1_1)
-            if 4.0 < _R(left):
+            if _R(left) > _HOLD:
                 status = Status.OK
             else:
                 status = Status.HOLD
@@ -282,7 +289,7 @@ class Stage32:
                 axes[0] = status
                 u[1] = control2
                 axes[1] = status
-                if self._u_max < control1:
+                if control1 > self._u_max:
                     u[0] = self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -290,7 +297,7 @@ class Stage32:
                     u[0] = -self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if self._u_max < control2:
+                if control2 > self._u_max:
                     u[1] = self._u_max
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

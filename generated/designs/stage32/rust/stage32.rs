@@ -181,11 +181,11 @@ pub struct Stage32 {
     p_size: f64,
     /// derived from the parameters.
     c_r3: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2_1: f64,
     /// parameter of an expression of the design.
     p_m: f64,
@@ -202,18 +202,25 @@ pub struct Stage32 {
     clippy::nursery
 )]
 impl Stage32 {
+    /// 1/100, sample period.
+    const H: f64 = 0.01;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 30;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 4.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage32Params) -> Result<Self, Error> {
-        if !((0.0 < params.u_max)
+        if !((params.u_max > 0.0)
             && (1e-150 <= params.a)
             && (params.a <= 1e150)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat)
+            && (params.deadbeat >= 0.0)
             && params.m.is_finite()
             && params.size.is_finite())
         {
@@ -273,7 +280,7 @@ impl Stage32 {
         let x2_2 = x[3];
 
         // The tracking error.
-        let t = 0.01 * (elapsed as f64);
+        let t = (elapsed as f64) * Self::H;
         let v_r1 = t * t;
         let v_r2 = 1.0 + v_r1;
         let reference0_1 = (self.p_size * v_r1) / v_r2;
@@ -288,9 +295,9 @@ impl Stage32 {
         let e2_1 = x2_1 - reference1_1;
         let e1_2 = x1_2;
         let e2_2 = x2_2;
-        let left = 30_u32.saturating_sub(elapsed);
-        let m0_1 = if (left as f64) < 4.0 {
-            4.0
+        let left = Self::SAMPLES.saturating_sub(elapsed);
+        let m0_1 = if (left as f64) < Self::HOLD {
+            Self::HOLD
         } else {
             left as f64
         };
@@ -299,22 +306,22 @@ impl Stage32 {
         // The exact law in samples.
         let z1_1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
         let z2_1 = self.w2_2_1 * e2_1;
-        law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + rho0_1;
-        let m0_2 = if (left as f64) < 4.0 {
-            4.0
+        law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))) + rho0_1;
+        let m0_2 = if (left as f64) < Self::HOLD {
+            Self::HOLD
         } else {
             left as f64
         };
         let law_2: f64;
         let z1_2 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
         let z2_2 = self.w2_2_1 * e2_2;
-        law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0);
+        law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0));
 
         // The inputs that give all of them.
         let s2 = ((self.p_m + (x1_2 * x1_2)) * law_1) + (x1_2 * law_2);
         let control1 = s2 + (self.p_m * x1_2 * x2_1 * x2_2);
         let control2 = (x1_2 * law_1) + law_2 + ((x2_1 * x2_1 * 0.5) - x1_1);
-        if 4.0 < (left as f64) {
+        if (left as f64) > Self::HOLD {
             status = Ok(Status::Ok);
         } else {
             status = Ok(Status::Hold);
@@ -324,7 +331,7 @@ impl Stage32 {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if self.u_max < control1 {
+            if control1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -333,7 +340,7 @@ impl Stage32 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < control2 {
+            if control2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

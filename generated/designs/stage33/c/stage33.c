@@ -33,6 +33,23 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE33_H 0.01f /* 1/100, sample period */
+#define STAGE33_W1_1_1 (-400000.0f) /* weight of x1 in the law */
+#define STAGE33_W1_2_1 2000.0f /* weight of x2 in the law */
+#define STAGE33_W2_2_1 (-1600.0f) /* weight of x2 in the law */
+#define STAGE33_W1_1_2 (-50000.0f) /* weight of x1 in the law */
+#define STAGE33_W1_2_2 250.0f /* weight of x2 in the law */
+#define STAGE33_W2_2_2 (-250.0f) /* weight of x2 in the law */
+#define STAGE33_END1_1_2 (-60000.0f) /* weight of x1 in the law */
+#define STAGE33_END1_2_2 300.0f /* weight of x2 in the law */
+#define STAGE33_END2_2_2 (-300.0f) /* weight of x2 in the law */
+#define STAGE33_W1_1_3 450000.0f /* weight of x1 in the law */
+#define STAGE33_W1_2_3 (-2250.0f) /* weight of x2 in the law */
+#define STAGE33_W2_2_3 1250.0f /* weight of x2 in the law */
+#define STAGE33_END1_1_3 420000.0f /* weight of x1 in the law */
+#define STAGE33_END1_2_3 (-2100.0f) /* weight of x2 in the law */
+#define STAGE33_END2_2_3 1200.0f /* weight of x2 in the law */
 ptc_status stage33_init(stage33 *self, const stage33_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -88,7 +105,7 @@ ptc_status stage33_step(
             const float x2_3 = x[2][1];
 
             /* The tracking error. */
-            const float t = 0.01f * ((float)elapsed);
+            const float t = ((float)elapsed) * STAGE33_H;
             const float v_r1 = t * t;
             const float v_r2 = 2.0f + v_r1;
             const float reference0_1 = 1.0f / v_r2;
@@ -118,36 +135,36 @@ ptc_status stage33_step(
 
             /* The exact law in samples. */
             const float m0_1 = (elapsed < 28U) ? ((float)(33U - elapsed)) : 5.0f;
-            const float z1_1 = ((-400000.0f) * e1_1) + (2000.0f * e2_1);
-            const float z2_1 = (-1600.0f) * e2_1;
-            law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f)) + (2.0f * rho0_1);
+            const float z1_1 = (STAGE33_W1_1_1 * e1_1) + (STAGE33_W1_2_1 * e2_1);
+            const float z2_1 = STAGE33_W2_2_1 * e2_1;
+            law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0f))) + (2.0f * rho0_1);
             float law_2;
             float law_3;
             if (elapsed < 26U) {
                 /* The exact law in samples. */
                 const float m0_2 = (float)(30U - elapsed);
-                const float z1_2 = ((-50000.0f) * e1_2) + (250.0f * e2_2);
-                const float z2_2 = (-250.0f) * e2_2;
-                law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f)) + (0.5f * rho0_2);
+                const float z1_2 = (STAGE33_W1_1_2 * e1_2) + (STAGE33_W1_2_2 * e2_2);
+                const float z2_2 = STAGE33_W2_2_2 * e2_2;
+                law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0f))) + (0.5f * rho0_2);
             } else {
                 /* The law of least energy to the end. */
                 const float m1_2 = (elapsed < 28U) ? ((float)(32U - elapsed)) : 4.0f;
-                const float y1_2 = ((-60000.0f) * e1_2) + (300.0f * e2_2);
-                const float y2_2 = (-300.0f) * e2_2;
-                law_2 = (((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0f)) + (0.5f * rho0_2);
+                const float y1_2 = (STAGE33_END1_1_2 * e1_2) + (STAGE33_END1_2_2 * e2_2);
+                const float y2_2 = STAGE33_END2_2_2 * e2_2;
+                law_2 = ((y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0f))) + (0.5f * rho0_2);
             }
             if (elapsed < 21U) {
                 /* The exact law in samples. */
                 const float m0_3 = (float)(30U - elapsed);
-                const float z1_3 = (450000.0f * e1_3) - (2250.0f * e2_3);
-                const float z2_3 = 1250.0f * e2_3;
-                law_3 = (((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0f)) - rho0_3;
+                const float z1_3 = (STAGE33_W1_1_3 * e1_3) + (STAGE33_W1_2_3 * e2_3);
+                const float z2_3 = STAGE33_W2_2_3 * e2_3;
+                law_3 = ((z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0f))) - rho0_3;
             } else {
                 /* The law of least energy to the end. */
                 const float m1_3 = (elapsed < 28U) ? ((float)(35U - elapsed)) : 7.0f;
-                const float y1_3 = (420000.0f * e1_3) - (2100.0f * e2_3);
-                const float y2_3 = 1200.0f * e2_3;
-                law_3 = (((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0f)) - rho0_3;
+                const float y1_3 = (STAGE33_END1_1_3 * e1_3) + (STAGE33_END1_2_3 * e2_3);
+                const float y2_3 = STAGE33_END2_2_3 * e2_3;
+                law_3 = ((y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0f))) - rho0_3;
             }
             if (elapsed < 30U) {
                 status = PTC_OK;
@@ -161,7 +178,7 @@ ptc_status stage33_step(
                 axes[1] = status;
                 u[2] = law_3;
                 axes[2] = status;
-                if (1.0f < law_1) {
+                if (law_1 > 1.0f) {
                     u[0] = 1.0f;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -172,7 +189,7 @@ ptc_status stage33_step(
                 } else {
                     /* neither */
                 }
-                if (2.0f < law_2) {
+                if (law_2 > 2.0f) {
                     u[1] = 2.0f;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -183,7 +200,7 @@ ptc_status stage33_step(
                 } else {
                     /* neither */
                 }
-                if (3.0f < law_3) {
+                if (law_3 > 3.0f) {
                     u[2] = 3.0f;
                     axes[2] = PTC_SATURATED;
                     status = PTC_SATURATED;

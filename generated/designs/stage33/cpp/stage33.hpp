@@ -53,8 +53,8 @@
  *   loop: not checked: axis 1: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE33_B1C3020E_HPP
-#define STAGE33_B1C3020E_HPP
+#ifndef STAGE33_68D3750C_HPP
+#define STAGE33_68D3750C_HPP
 
 #include <array>
 #include <cfloat>
@@ -183,7 +183,7 @@ public:
         const float x2_3 = x[2][1];
 
         // The tracking error.
-        const float t = 0.01f * static_cast<float>(elapsed);
+        const float t = static_cast<float>(elapsed) * h_;
         const float v_r1 = t * t;
         const float v_r2 = 2.0f + v_r1;
         const float reference0_1 = 1.0f / v_r2;
@@ -213,36 +213,36 @@ public:
 
         // The exact law in samples.
         const float m0_1 = (elapsed < 28U) ? (static_cast<float>(33U - elapsed)) : 5.0f;
-        const float z1_1 = ((-400000.0f) * e1_1) + (2000.0f * e2_1);
-        const float z2_1 = (-1600.0f) * e2_1;
-        law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f)) + (2.0f * rho0_1);
+        const float z1_1 = (w1_1_1_ * e1_1) + (w1_2_1_ * e2_1);
+        const float z2_1 = w2_2_1_ * e2_1;
+        law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0f))) + (2.0f * rho0_1);
         float law_2{};
         float law_3{};
         if (elapsed < 26U) {
             // The exact law in samples.
             const float m0_2 = static_cast<float>(30U - elapsed);
-            const float z1_2 = ((-50000.0f) * e1_2) + (250.0f * e2_2);
-            const float z2_2 = (-250.0f) * e2_2;
-            law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f)) + (0.5f * rho0_2);
+            const float z1_2 = (w1_1_2_ * e1_2) + (w1_2_2_ * e2_2);
+            const float z2_2 = w2_2_2_ * e2_2;
+            law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0f))) + (0.5f * rho0_2);
         } else {
             // The law of least energy to the end.
             const float m1_2 = (elapsed < 28U) ? (static_cast<float>(32U - elapsed)) : 4.0f;
-            const float y1_2 = ((-60000.0f) * e1_2) + (300.0f * e2_2);
-            const float y2_2 = (-300.0f) * e2_2;
-            law_2 = (((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0f)) + (0.5f * rho0_2);
+            const float y1_2 = (end1_1_2_ * e1_2) + (end1_2_2_ * e2_2);
+            const float y2_2 = end2_2_2_ * e2_2;
+            law_2 = ((y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0f))) + (0.5f * rho0_2);
         }
         if (elapsed < 21U) {
             // The exact law in samples.
             const float m0_3 = static_cast<float>(30U - elapsed);
-            const float z1_3 = (450000.0f * e1_3) - (2250.0f * e2_3);
-            const float z2_3 = 1250.0f * e2_3;
-            law_3 = (((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0f)) - rho0_3;
+            const float z1_3 = (w1_1_3_ * e1_3) + (w1_2_3_ * e2_3);
+            const float z2_3 = w2_2_3_ * e2_3;
+            law_3 = ((z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0f))) - rho0_3;
         } else {
             // The law of least energy to the end.
             const float m1_3 = (elapsed < 28U) ? (static_cast<float>(35U - elapsed)) : 7.0f;
-            const float y1_3 = (420000.0f * e1_3) - (2100.0f * e2_3);
-            const float y2_3 = 1200.0f * e2_3;
-            law_3 = (((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0f)) - rho0_3;
+            const float y1_3 = (end1_1_3_ * e1_3) + (end1_2_3_ * e2_3);
+            const float y2_3 = end2_2_3_ * e2_3;
+            law_3 = ((y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0f))) - rho0_3;
         }
         if (elapsed < 30U) {
             all.status = Status::Ok;
@@ -256,7 +256,7 @@ public:
             all.axes[1] = all.status;
             all.u[2] = law_3;
             all.axes[2] = all.status;
-            if (1.0f < law_1) {
+            if (law_1 > 1.0f) {
                 all.u[0] = 1.0f;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -265,7 +265,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (2.0f < law_2) {
+            if (law_2 > 2.0f) {
                 all.u[1] = 2.0f;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -274,7 +274,7 @@ public:
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (3.0f < law_3) {
+            if (law_3 > 3.0f) {
                 all.u[2] = 3.0f;
                 all.axes[2] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -313,6 +313,38 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// 1/100, sample period.
+    static constexpr float h_{0.01f};
+    /// Weight of x1 in the law.
+    static constexpr float w1_1_1_{-400000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w1_2_1_{2000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w2_2_1_{-1600.0f};
+    /// Weight of x1 in the law.
+    static constexpr float w1_1_2_{-50000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w1_2_2_{250.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w2_2_2_{-250.0f};
+    /// Weight of x1 in the law.
+    static constexpr float end1_1_2_{-60000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float end1_2_2_{300.0f};
+    /// Weight of x2 in the law.
+    static constexpr float end2_2_2_{-300.0f};
+    /// Weight of x1 in the law.
+    static constexpr float w1_1_3_{450000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w1_2_3_{-2250.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w2_2_3_{1250.0f};
+    /// Weight of x1 in the law.
+    static constexpr float end1_1_3_{420000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float end1_2_3_{-2100.0f};
+    /// Weight of x2 in the law.
+    static constexpr float end2_2_3_{1200.0f};
 
     std::uint32_t start_{}; // tick at which it was armed
     float p_size_{}; // parameter of an expression of the design

@@ -14,6 +14,22 @@ function [u, axes, status] = stage33_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+h = single(0.009999999776482582); % 1/100, sample period
+w1_1_1 = -single(400000.0); % weight of x1 in the law
+w1_2_1 = single(2000.0); % weight of x2 in the law
+w2_2_1 = -single(1600.0); % weight of x2 in the law
+w1_1_2 = -single(50000.0); % weight of x1 in the law
+w1_2_2 = single(250.0); % weight of x2 in the law
+w2_2_2 = -single(250.0); % weight of x2 in the law
+end1_1_2 = -single(60000.0); % weight of x1 in the law
+end1_2_2 = single(300.0); % weight of x2 in the law
+end2_2_2 = -single(300.0); % weight of x2 in the law
+w1_1_3 = single(450000.0); % weight of x1 in the law
+w1_2_3 = -single(2250.0); % weight of x2 in the law
+w2_2_3 = single(1250.0); % weight of x2 in the law
+end1_1_3 = single(420000.0); % weight of x1 in the law
+end1_2_3 = -single(2100.0); % weight of x2 in the law
+end2_2_3 = single(1200.0); % weight of x2 in the law
 u = zeros(3, 1, 'single');
 axes = repmat(int32(-2), 3, 1);
 k = double(k);
@@ -41,7 +57,7 @@ x1_3 = x(3, 1);
 x2_3 = x(3, 2);
 
 % The tracking error.
-t = single(0.009999999776482582) * single(elapsed);
+t = single(elapsed) * h;
 v_r1 = t * t;
 v_r2 = single(2.0) + v_r1;
 reference0_1 = single(1.0) / v_r2;
@@ -70,34 +86,34 @@ e2_3 = x2_3 - reference1_3;
 
 % The exact law in samples.
 m0_1 = pick(elapsed < uint32(28), single(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296))), single(5.0));
-z1_1 = ((-single(400000.0)) * e1_1) + (single(2000.0) * e2_1);
-z2_1 = (-single(1600.0)) * e2_1;
-law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - single(1.0))) + (single(2.0) * rho0_1);
+z1_1 = (w1_1_1 * e1_1) + (w1_2_1 * e2_1);
+z2_1 = w2_2_1 * e2_1;
+law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - single(1.0)))) + (single(2.0) * rho0_1);
 if elapsed < uint32(26)
     % The exact law in samples.
     m0_2 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_2 = ((-single(50000.0)) * e1_2) + (single(250.0) * e2_2);
-    z2_2 = (-single(250.0)) * e2_2;
-    law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - single(1.0))) + (single(0.5) * rho0_2);
+    z1_2 = (w1_1_2 * e1_2) + (w1_2_2 * e2_2);
+    z2_2 = w2_2_2 * e2_2;
+    law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - single(1.0)))) + (single(0.5) * rho0_2);
 else
     % The law of least energy to the end.
     m1_2 = pick(elapsed < uint32(28), single(uint32(mod(double(uint32(32)) - double(elapsed), 4294967296))), single(4.0));
-    y1_2 = ((-single(60000.0)) * e1_2) + (single(300.0) * e2_2);
-    y2_2 = (-single(300.0)) * e2_2;
-    law_2 = (((y1_2 / m1_2) + y2_2) / (m1_2 - single(1.0))) + (single(0.5) * rho0_2);
+    y1_2 = (end1_1_2 * e1_2) + (end1_2_2 * e2_2);
+    y2_2 = end2_2_2 * e2_2;
+    law_2 = ((y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - single(1.0)))) + (single(0.5) * rho0_2);
 end
 if elapsed < uint32(21)
     % The exact law in samples.
     m0_3 = single(uint32(mod(double(uint32(30)) - double(elapsed), 4294967296)));
-    z1_3 = (single(450000.0) * e1_3) - (single(2250.0) * e2_3);
-    z2_3 = single(1250.0) * e2_3;
-    law_3 = (((z1_3 / m0_3) + z2_3) / (m0_3 - single(1.0))) - rho0_3;
+    z1_3 = (w1_1_3 * e1_3) + (w1_2_3 * e2_3);
+    z2_3 = w2_2_3 * e2_3;
+    law_3 = ((z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - single(1.0)))) - rho0_3;
 else
     % The law of least energy to the end.
     m1_3 = pick(elapsed < uint32(28), single(uint32(mod(double(uint32(35)) - double(elapsed), 4294967296))), single(7.0));
-    y1_3 = (single(420000.0) * e1_3) - (single(2100.0) * e2_3);
-    y2_3 = single(1200.0) * e2_3;
-    law_3 = (((y1_3 / m1_3) + y2_3) / (m1_3 - single(1.0))) - rho0_3;
+    y1_3 = (end1_1_3 * e1_3) + (end1_2_3 * e2_3);
+    y2_3 = end2_2_3 * e2_3;
+    law_3 = ((y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - single(1.0)))) - rho0_3;
 end
 if elapsed < uint32(30)
     status = int32(0);
@@ -111,7 +127,7 @@ if isfinite(law_1) && isfinite(law_2) && isfinite(law_3)
     axes(2) = status;
     u(3) = law_3;
     axes(3) = status;
-    if single(1.0) < law_1
+    if law_1 > single(1.0)
         u(1) = single(1.0);
         axes(1) = int32(2);
         status = int32(2);
@@ -120,7 +136,7 @@ if isfinite(law_1) && isfinite(law_2) && isfinite(law_3)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if single(2.0) < law_2
+    if law_2 > single(2.0)
         u(2) = single(2.0);
         axes(2) = int32(2);
         status = int32(2);
@@ -129,7 +145,7 @@ if isfinite(law_1) && isfinite(law_2) && isfinite(law_3)
         axes(2) = int32(2);
         status = int32(2);
     end
-    if single(3.0) < law_3
+    if law_3 > single(3.0)
         u(3) = single(3.0);
         axes(3) = int32(2);
         status = int32(2);

@@ -132,6 +132,39 @@ def _of_axes(given: ArrayLike, count: int, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: (..., {count}, {length})")
     return numbers
 
+# 1/100, sample period.
+_H = _R(_R(0.009999999776482582))
+# Weight of x1 in the law.
+_W1_1_1 = _R(-_R(400000.0))
+# Weight of x2 in the law.
+_W1_2_1 = _R(_R(2000.0))
+# Weight of x2 in the law.
+_W2_2_1 = _R(-_R(1600.0))
+# Weight of x1 in the law.
+_W1_1_2 = _R(-_R(50000.0))
+# Weight of x2 in the law.
+_W1_2_2 = _R(_R(250.0))
+# Weight of x2 in the law.
+_W2_2_2 = _R(-_R(250.0))
+# Weight of x1 in the law.
+_END1_1_2 = _R(-_R(60000.0))
+# Weight of x2 in the law.
+_END1_2_2 = _R(_R(300.0))
+# Weight of x2 in the law.
+_END2_2_2 = _R(-_R(300.0))
+# Weight of x1 in the law.
+_W1_1_3 = _R(_R(450000.0))
+# Weight of x2 in the law.
+_W1_2_3 = _R(-_R(2250.0))
+# Weight of x2 in the law.
+_W2_2_3 = _R(_R(1250.0))
+# Weight of x1 in the law.
+_END1_1_3 = _R(_R(420000.0))
+# Weight of x2 in the law.
+_END1_2_3 = _R(-_R(2100.0))
+# Weight of x2 in the law.
+_END2_2_3 = _R(_R(1200.0))
+
 class Stage33:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -194,7 +227,7 @@ class Stage33:
             x2_3 = x[..., 2, 1]
 
             # The tracking error.
-            t = _R(0.009999999776482582) * _R(elapsed)
+            t = _R(elapsed) * _H
             v_r1 = t * t
             v_r2 = _R(2.0) + v_r1
             reference0_1 = _R(1.0) / v_r2
@@ -223,33 +256,33 @@ class Stage33:
 
             # The exact law in samples.
             m0_1 = _R((33 - elapsed) & _WRAP) if elapsed < 28 else _R(5.0)
-            z1_1 = ((-_R(400000.0)) * e1_1) + (_R(2000.0) * e2_1)
-            z2_1 = (-_R(1600.0)) * e2_1
-            law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - _R(1.0))) + (_R(2.0) * rho0_1)
+            z1_1 = (_W1_1_1 * e1_1) + (_W1_2_1 * e2_1)
+            z2_1 = _W2_2_1 * e2_1
+            law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - _R(1.0)))) + (_R(2.0) * rho0_1)
             if elapsed < 26:
                 # The exact law in samples.
                 m0_2 = _R((30 - elapsed) & _WRAP)
-                z1_2 = ((-_R(50000.0)) * e1_2) + (_R(250.0) * e2_2)
-                z2_2 = (-_R(250.0)) * e2_2
-                law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - _R(1.0))) + (_R(0.5) * rho0_2)
+                z1_2 = (_W1_1_2 * e1_2) + (_W1_2_2 * e2_2)
+                z2_2 = _W2_2_2 * e2_2
+                law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - _R(1.0)))) + (_R(0.5) * rho0_2)
             else:
                 # The law of least energy to the end.
                 m1_2 = _R((32 - elapsed) & _WRAP) if elapsed < 28 else _R(4.0)
-                y1_2 = ((-_R(60000.0)) * e1_2) + (_R(300.0) * e2_2)
-                y2_2 = (-_R(300.0)) * e2_2
-                law_2 = (((y1_2 / m1_2) + y2_2) / (m1_2 - _R(1.0))) + (_R(0.5) * rho0_2)
+                y1_2 = (_END1_1_2 * e1_2) + (_END1_2_2 * e2_2)
+                y2_2 = _END2_2_2 * e2_2
+                law_2 = ((y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - _R(1.0)))) + (_R(0.5) * rho0_2)
             if elapsed < 21:
                 # The exact law in samples.
                 m0_3 = _R((30 - elapsed) & _WRAP)
-                z1_3 = (_R(450000.0) * e1_3) - (_R(2250.0) * e2_3)
-                z2_3 = _R(1250.0) * e2_3
-                law_3 = (((z1_3 / m0_3) + z2_3) / (m0_3 - _R(1.0))) - rho0_3
+                z1_3 = (_W1_1_3 * e1_3) + (_W1_2_3 * e2_3)
+                z2_3 = _W2_2_3 * e2_3
+                law_3 = ((z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - _R(1.0)))) - rho0_3
             else:
                 # The law of least energy to the end.
                 m1_3 = _R((35 - elapsed) & _WRAP) if elapsed < 28 else _R(7.0)
-                y1_3 = (_R(420000.0) * e1_3) - (_R(2100.0) * e2_3)
-                y2_3 = _R(1200.0) * e2_3
-                law_3 = (((y1_3 / m1_3) + y2_3) / (m1_3 - _R(1.0))) - rho0_3
+                y1_3 = (_END1_1_3 * e1_3) + (_END1_2_3 * e2_3)
+                y2_3 = _END2_2_3 * e2_3
+                law_3 = ((y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - _R(1.0)))) - rho0_3
             if elapsed < 30:
                 status = Status.OK
             else:
@@ -261,7 +294,7 @@ class Stage33:
                 axes[1] = status
                 u[2] = law_3
                 axes[2] = status
-                if _R(1.0) < law_1:
+                if law_1 > _R(1.0):
                     u[0] = _R(1.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -269,7 +302,7 @@ class Stage33:
                     u[0] = -_R(1.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if _R(2.0) < law_2:
+                if law_2 > _R(2.0):
                     u[1] = _R(2.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
@@ -277,7 +310,7 @@ class Stage33:
                     u[1] = -_R(2.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED
-                if _R(3.0) < law_3:
+                if law_3 > _R(3.0):
                     u[2] = _R(3.0)
                     axes[2] = Status.SATURATED
                     status = Status.SATURATED

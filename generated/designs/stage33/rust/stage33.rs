@@ -168,6 +168,39 @@ pub struct Stage33 {
     clippy::nursery
 )]
 impl Stage33 {
+    /// 1/100, sample period.
+    const H: f32 = 0.01;
+    /// Weight of x1 in the law.
+    const W1_1_1: f32 = -400000.0;
+    /// Weight of x2 in the law.
+    const W1_2_1: f32 = 2000.0;
+    /// Weight of x2 in the law.
+    const W2_2_1: f32 = -1600.0;
+    /// Weight of x1 in the law.
+    const W1_1_2: f32 = -50000.0;
+    /// Weight of x2 in the law.
+    const W1_2_2: f32 = 250.0;
+    /// Weight of x2 in the law.
+    const W2_2_2: f32 = -250.0;
+    /// Weight of x1 in the law.
+    const END1_1_2: f32 = -60000.0;
+    /// Weight of x2 in the law.
+    const END1_2_2: f32 = 300.0;
+    /// Weight of x2 in the law.
+    const END2_2_2: f32 = -300.0;
+    /// Weight of x1 in the law.
+    const W1_1_3: f32 = 450000.0;
+    /// Weight of x2 in the law.
+    const W1_2_3: f32 = -2250.0;
+    /// Weight of x2 in the law.
+    const W2_2_3: f32 = 1250.0;
+    /// Weight of x1 in the law.
+    const END1_1_3: f32 = 420000.0;
+    /// Weight of x2 in the law.
+    const END1_2_3: f32 = -2100.0;
+    /// Weight of x2 in the law.
+    const END2_2_3: f32 = 1200.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -226,7 +259,7 @@ impl Stage33 {
         let x2_3 = x[2][1];
 
         // The tracking error.
-        let t = 0.01 * (elapsed as f32);
+        let t = (elapsed as f32) * Self::H;
         let v_r1 = t * t;
         let v_r2 = 2.0 + v_r1;
         let reference0_1 = 1.0 / v_r2;
@@ -260,17 +293,17 @@ impl Stage33 {
         } else {
             5.0
         };
-        let z1_1 = ((-400000.0) * e1_1) + (2000.0 * e2_1);
-        let z2_1 = (-1600.0) * e2_1;
-        law_1 = (((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + (2.0 * rho0_1);
+        let z1_1 = (Self::W1_1_1 * e1_1) + (Self::W1_2_1 * e2_1);
+        let z2_1 = Self::W2_2_1 * e2_1;
+        law_1 = ((z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))) + (2.0 * rho0_1);
         let law_2: f32;
         let law_3: f32;
         if elapsed < 26 {
             // The exact law in samples.
             let m0_2 = 30_u32.wrapping_sub(elapsed) as f32;
-            let z1_2 = ((-50000.0) * e1_2) + (250.0 * e2_2);
-            let z2_2 = (-250.0) * e2_2;
-            law_2 = (((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + (0.5 * rho0_2);
+            let z1_2 = (Self::W1_1_2 * e1_2) + (Self::W1_2_2 * e2_2);
+            let z2_2 = Self::W2_2_2 * e2_2;
+            law_2 = ((z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0))) + (0.5 * rho0_2);
         } else {
             // The law of least energy to the end.
             let m1_2 = if elapsed < 28 {
@@ -278,16 +311,16 @@ impl Stage33 {
             } else {
                 4.0
             };
-            let y1_2 = ((-60000.0) * e1_2) + (300.0 * e2_2);
-            let y2_2 = (-300.0) * e2_2;
-            law_2 = (((y1_2 / m1_2) + y2_2) / (m1_2 - 1.0)) + (0.5 * rho0_2);
+            let y1_2 = (Self::END1_1_2 * e1_2) + (Self::END1_2_2 * e2_2);
+            let y2_2 = Self::END2_2_2 * e2_2;
+            law_2 = ((y1_2 + (y2_2 * m1_2)) / (m1_2 * (m1_2 - 1.0))) + (0.5 * rho0_2);
         }
         if elapsed < 21 {
             // The exact law in samples.
             let m0_3 = 30_u32.wrapping_sub(elapsed) as f32;
-            let z1_3 = (450000.0 * e1_3) - (2250.0 * e2_3);
-            let z2_3 = 1250.0 * e2_3;
-            law_3 = (((z1_3 / m0_3) + z2_3) / (m0_3 - 1.0)) - rho0_3;
+            let z1_3 = (Self::W1_1_3 * e1_3) + (Self::W1_2_3 * e2_3);
+            let z2_3 = Self::W2_2_3 * e2_3;
+            law_3 = ((z1_3 + (z2_3 * m0_3)) / (m0_3 * (m0_3 - 1.0))) - rho0_3;
         } else {
             // The law of least energy to the end.
             let m1_3 = if elapsed < 28 {
@@ -295,9 +328,9 @@ impl Stage33 {
             } else {
                 7.0
             };
-            let y1_3 = (420000.0 * e1_3) - (2100.0 * e2_3);
-            let y2_3 = 1200.0 * e2_3;
-            law_3 = (((y1_3 / m1_3) + y2_3) / (m1_3 - 1.0)) - rho0_3;
+            let y1_3 = (Self::END1_1_3 * e1_3) + (Self::END1_2_3 * e2_3);
+            let y2_3 = Self::END2_2_3 * e2_3;
+            law_3 = ((y1_3 + (y2_3 * m1_3)) / (m1_3 * (m1_3 - 1.0))) - rho0_3;
         }
         if elapsed < 30 {
             status = Ok(Status::Ok);
@@ -311,7 +344,7 @@ impl Stage33 {
             axes[1] = status;
             u[2] = law_3;
             axes[2] = status;
-            if 1.0 < law_1 {
+            if law_1 > 1.0 {
                 u[0] = 1.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -320,7 +353,7 @@ impl Stage33 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 2.0 < law_2 {
+            if law_2 > 2.0 {
                 u[1] = 2.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -329,7 +362,7 @@ impl Stage33 {
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 3.0 < law_3 {
+            if law_3 > 3.0 {
                 u[2] = 3.0;
                 axes[2] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -37,21 +37,21 @@ ptc_status stage34_init(stage34 *self, const stage34_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((2U < params->samples)
+        if ((params->samples > 2U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (0.0 < params->u_max)
+            && (params->u_max > 0.0)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->k[2])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double s1 = ((params->k[2] / params->a) - 4.0) + 3.0;
             const double s2 = (s1 < 6.0) ? 6.0 : s1;
-            const double deadbeat_1 = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat_1 = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double s3 = -(params->k[0] / (params->a * params->a * params->a));
             const double s4 = 1.0 / (params->h * params->h * params->h);
             const double w1_1_1 = 0.3333333333333333 * s3 * s4;
@@ -82,8 +82,8 @@ ptc_status stage34_init(stage34 *self, const stage34_params *params)
                 && PTC_FINITE_F64(b_1_1)
                 && PTC_FINITE_F64(b_2_1)
                 && PTC_FINITE_F64(b_3_1)
-                && (1e-200 <= params->h * params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h * params->h))) {
+                && (params->h * params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat_1 = deadbeat_1;
@@ -143,26 +143,28 @@ ptc_status stage34_step(
     double law_1;
     const double m0_2 = (double)left;
     double law_2;
-    if (self->deadbeat_1 < m0_1) {
+    if (m0_1 > self->deadbeat_1) {
         /* The exact law in samples. */
         const double s1 = (self->w1_1_1 * e1_1) + (self->w1_2_1 * e2_1);
         const double z1_1 = s1 + (self->w1_3_1 * e3_1);
         const double z2_1 = (self->w2_2_1 * e2_1) + (self->w2_3_1 * e3_1);
         const double z3_1 = self->w3_3_1 * e3_1;
-        const double s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
+        const double m0f_12 = m0_1 * (m0_1 - 1.0);
+        const double s2 = (z1_1 + (z2_1 * m0_1) + (z3_1 * m0f_12)) / (m0f_12 * (m0_1 - 2.0));
         law_1 = s2 + (0.3333333333333333 * r[0][3]);
     } else {
         /* Deadbeat. */
         const double s3 = (self->b_1_1 * e1_1) + (self->b_2_1 * e2_1);
         law_1 = s3 + (self->b_3_1 * e3_1) + (0.3333333333333333 * r[0][3]);
     }
-    if (self->deadbeat_1 < m0_2) {
+    if (m0_2 > self->deadbeat_1) {
         /* The exact law in samples. */
         const double s4 = (self->w1_1_1 * e1_2) + (self->w1_2_1 * e2_2);
         const double z1_2 = s4 + (self->w1_3_1 * e3_2);
         const double z2_2 = (self->w2_2_1 * e2_2) + (self->w2_3_1 * e3_2);
         const double z3_2 = self->w3_3_1 * e3_2;
-        const double s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+        const double m0f_22 = m0_2 * (m0_2 - 1.0);
+        const double s5 = (z1_2 + (z2_2 * m0_2) + (z3_2 * m0f_22)) / (m0f_22 * (m0_2 - 2.0));
         law_2 = s5 + (0.3333333333333333 * r[1][3]);
     } else {
         /* Deadbeat. */
@@ -179,7 +181,7 @@ ptc_status stage34_step(
         axes[0] = status;
         u[1] = law_2;
         axes[1] = status;
-        if (self->u_max < law_1) {
+        if (law_1 > self->u_max) {
             u[0] = self->u_max;
             axes[0] = PTC_SATURATED;
             status = PTC_SATURATED;
@@ -190,7 +192,7 @@ ptc_status stage34_step(
         } else {
             /* neither */
         }
-        if (self->u_max < law_2) {
+        if (law_2 > self->u_max) {
             u[1] = self->u_max;
             axes[1] = PTC_SATURATED;
             status = PTC_SATURATED;

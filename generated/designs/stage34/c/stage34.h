@@ -49,8 +49,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE34_327F4790_H
-#define STAGE34_327F4790_H
+#ifndef STAGE34_597452A2_H
+#define STAGE34_597452A2_H
 
 #include <stdint.h>
 
@@ -91,15 +91,15 @@ typedef struct stage34 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     double deadbeat_1; /* samples to go at which deadbeat takes over */
-    double w1_1_1; /* weight of a state in the law */
-    double w1_2_1; /* weight of a state in the law */
-    double w1_3_1; /* weight of a state in the law */
-    double w2_2_1; /* weight of a state in the law */
-    double w2_3_1; /* weight of a state in the law */
-    double w3_3_1; /* weight of a state in the law */
-    double b_1_1; /* weight of a state in the law */
-    double b_2_1; /* weight of a state in the law */
-    double b_3_1; /* weight of a state in the law */
+    double w1_1_1; /* weight of x1 in the law */
+    double w1_2_1; /* weight of x2 in the law */
+    double w1_3_1; /* weight of x3 in the law */
+    double w2_2_1; /* weight of x2 in the law */
+    double w2_3_1; /* weight of x3 in the law */
+    double w3_3_1; /* weight of x3 in the law */
+    double b_1_1; /* weight of x1 in the law */
+    double b_2_1; /* weight of x2 in the law */
+    double b_3_1; /* weight of x3 in the law */
     double u_max; /* bound of |u| */
 } stage34;
 

@@ -48,8 +48,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE34_9BD0B473_HPP
-#define STAGE34_9BD0B473_HPP
+#ifndef STAGE34_54CF90A9_HPP
+#define STAGE34_54CF90A9_HPP
 
 #include <array>
 #include <cfloat>
@@ -139,23 +139,23 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((2U < params.samples)
+        if (!((params.samples > 2U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
-                && (0.0 < params.u_max)
+                && (params.u_max > 0.0)
                 && (1e-150 <= params.a)
                 && (params.a <= 1e150)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const double s1 = ((params.k[2] / params.a) - 4.0) + 3.0;
         const double s2 = (s1 < 6.0) ? 6.0 : s1;
-        const double deadbeat_1 = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat_1 = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double s3 = -(params.k[0] / (params.a * params.a * params.a));
         const double s4 = 1.0 / (params.h * params.h * params.h);
         const double w1_1_1 = 0.3333333333333333 * s3 * s4;
@@ -186,8 +186,8 @@ public:
                 && finite(b_1_1)
                 && finite(b_2_1)
                 && finite(b_3_1)
-                && (1e-200 <= params.h * params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h * params.h)))) {
+                && (params.h * params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -238,26 +238,28 @@ public:
         double law_1{};
         const double m0_2 = static_cast<double>(left);
         double law_2{};
-        if (deadbeat_1_ < m0_1) {
+        if (m0_1 > deadbeat_1_) {
             // The exact law in samples.
             const double s1 = (w1_1_1_ * e1_1) + (w1_2_1_ * e2_1);
             const double z1_1 = s1 + (w1_3_1_ * e3_1);
             const double z2_1 = (w2_2_1_ * e2_1) + (w2_3_1_ * e3_1);
             const double z3_1 = w3_3_1_ * e3_1;
-            const double s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
+            const double m0f_12 = m0_1 * (m0_1 - 1.0);
+            const double s2 = (z1_1 + (z2_1 * m0_1) + (z3_1 * m0f_12)) / (m0f_12 * (m0_1 - 2.0));
             law_1 = s2 + (0.3333333333333333 * r[0][3]);
         } else {
             // Deadbeat.
             const double s3 = (b_1_1_ * e1_1) + (b_2_1_ * e2_1);
             law_1 = s3 + (b_3_1_ * e3_1) + (0.3333333333333333 * r[0][3]);
         }
-        if (deadbeat_1_ < m0_2) {
+        if (m0_2 > deadbeat_1_) {
             // The exact law in samples.
             const double s4 = (w1_1_1_ * e1_2) + (w1_2_1_ * e2_2);
             const double z1_2 = s4 + (w1_3_1_ * e3_2);
             const double z2_2 = (w2_2_1_ * e2_2) + (w2_3_1_ * e3_2);
             const double z3_2 = w3_3_1_ * e3_2;
-            const double s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+            const double m0f_22 = m0_2 * (m0_2 - 1.0);
+            const double s5 = (z1_2 + (z2_2 * m0_2) + (z3_2 * m0f_22)) / (m0f_22 * (m0_2 - 2.0));
             law_2 = s5 + (0.3333333333333333 * r[1][3]);
         } else {
             // Deadbeat.
@@ -274,7 +276,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = law_2;
             all.axes[1] = all.status;
-            if (u_max_ < law_1) {
+            if (law_1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -283,7 +285,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < law_2) {
+            if (law_2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -320,15 +322,15 @@ private:
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     double deadbeat_1_{}; // samples to go at which deadbeat takes over
-    double w1_1_1_{}; // weight of a state in the law
-    double w1_2_1_{}; // weight of a state in the law
-    double w1_3_1_{}; // weight of a state in the law
-    double w2_2_1_{}; // weight of a state in the law
-    double w2_3_1_{}; // weight of a state in the law
-    double w3_3_1_{}; // weight of a state in the law
-    double b_1_1_{}; // weight of a state in the law
-    double b_2_1_{}; // weight of a state in the law
-    double b_3_1_{}; // weight of a state in the law
+    double w1_1_1_{}; // weight of x1 in the law
+    double w1_2_1_{}; // weight of x2 in the law
+    double w1_3_1_{}; // weight of x3 in the law
+    double w2_2_1_{}; // weight of x2 in the law
+    double w2_3_1_{}; // weight of x3 in the law
+    double w3_3_1_{}; // weight of x3 in the law
+    double b_1_1_{}; // weight of x1 in the law
+    double b_2_1_{}; // weight of x2 in the law
+    double b_3_1_{}; // weight of x3 in the law
     double u_max_{}; // bound of |u|
 };
 

@@ -74,13 +74,13 @@ if numel(params.k) ~= 3
     error('stage34:param', 'params.k has %d numbers; legal: 3', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(2) < given.samples)
+if ~(given.samples > uint32(2))
     error('stage34:param', 'params.samples is %g; legal: >= 3', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
     error('stage34:param', 'params.h is %g; legal: from 1e-150 to 1e150', params.h);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage34:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~((1e-150 <= given.a) && (given.a <= 1e150))
@@ -95,13 +95,13 @@ end
 if ~isfinite(given.k(3))
     error('stage34:param', 'params.k(3) is %g; legal: finite', params.k(3));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage34:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = ((given.k(3) / given.a) - 4.0) + 3.0;
 s2 = pick(s1 < 6.0, 6.0, s1);
-deadbeat_1 = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat_1 = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 s3 = -(given.k(1) / (given.a * given.a * given.a));
 s4 = 1.0 / (given.h * given.h * given.h);
 w1_1_1 = 0.3333333333333333 * s3 * s4;
@@ -132,8 +132,8 @@ if ~(isfinite(deadbeat_1) ...
     && isfinite(b_1_1) ...
     && isfinite(b_2_1) ...
     && isfinite(b_3_1) ...
-    && (1e-200 <= given.h * given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h * given.h)))
+    && (given.h * given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h * given.h) >= 1e-200))
     error('stage34:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

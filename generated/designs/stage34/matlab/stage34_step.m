@@ -42,26 +42,28 @@ e3_2 = x3_2 - r(2, 3);
 left = self.samples - elapsed;
 m0_1 = double(left);
 m0_2 = double(left);
-if self.deadbeat_1 < m0_1
+if m0_1 > self.deadbeat_1
     % The exact law in samples.
     s1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
     z1_1 = s1 + (self.w1_3_1 * e3_1);
     z2_1 = (self.w2_2_1 * e2_1) + (self.w2_3_1 * e3_1);
     z3_1 = self.w3_3_1 * e3_1;
-    s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
+    m0f_12 = m0_1 * (m0_1 - 1.0);
+    s2 = (z1_1 + (z2_1 * m0_1) + (z3_1 * m0f_12)) / (m0f_12 * (m0_1 - 2.0));
     law_1 = s2 + (0.3333333333333333 * r(1, 4));
 else
     % Deadbeat.
     s3 = (self.b_1_1 * e1_1) + (self.b_2_1 * e2_1);
     law_1 = s3 + (self.b_3_1 * e3_1) + (0.3333333333333333 * r(1, 4));
 end
-if self.deadbeat_1 < m0_2
+if m0_2 > self.deadbeat_1
     % The exact law in samples.
     s4 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
     z1_2 = s4 + (self.w1_3_1 * e3_2);
     z2_2 = (self.w2_2_1 * e2_2) + (self.w2_3_1 * e3_2);
     z3_2 = self.w3_3_1 * e3_2;
-    s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+    m0f_22 = m0_2 * (m0_2 - 1.0);
+    s5 = (z1_2 + (z2_2 * m0_2) + (z3_2 * m0f_22)) / (m0f_22 * (m0_2 - 2.0));
     law_2 = s5 + (0.3333333333333333 * r(2, 4));
 else
     % Deadbeat.
@@ -78,7 +80,7 @@ if isfinite(law_1) && isfinite(law_2)
     axes(1) = status;
     u(2) = law_2;
     axes(2) = status;
-    if self.u_max < law_1
+    if law_1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -87,7 +89,7 @@ if isfinite(law_1) && isfinite(law_2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < law_2
+    if law_2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

@@ -154,11 +154,11 @@ class Stage34:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 3, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (2 < given_samples):
+            if not (given_samples > 2):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 3")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (1e-150 <= given_a <= 1e150):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
@@ -168,12 +168,12 @@ class Stage34:
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
             if not np.isfinite(given_k[2]):
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = ((given_k[2] / given_a) - 4.0) + 3.0
             s2 = max(s1, _R(6.0))
-            deadbeat_1 = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat_1 = given_deadbeat if given_deadbeat > 0.0 else s2
             s3 = -(given_k[0] / (given_a * given_a * given_a))
             s4 = 1.0 / (given_h * given_h * given_h)
             w1_1_1 = 0.3333333333333333 * s3 * s4
@@ -205,8 +205,8 @@ class Stage34:
                 and np.isfinite(b_1_1)
                 and np.isfinite(b_2_1)
                 and np.isfinite(b_3_1)
-                and (1e-200 <= given_h * given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h * given_h))
+                and (given_h * given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -259,25 +259,27 @@ class Stage34:
             left = max(self._samples - elapsed, 0)
             m0_1 = _R(left)
             m0_2 = _R(left)
-            if self._deadbeat_1 < m0_1:
+            if m0_1 > self._deadbeat_1:
                 # The exact law in samples.
                 s1 = (self._w1_1_1 * e1_1) + (self._w1_2_1 * e2_1)
                 z1_1 = s1 + (self._w1_3_1 * e3_1)
                 z2_1 = (self._w2_2_1 * e2_1) + (self._w2_3_1 * e3_1)
                 z3_1 = self._w3_3_1 * e3_1
-                s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0)
+                m0f_12 = m0_1 * (m0_1 - 1.0)
+                s2 = (z1_1 + (z2_1 * m0_1) + (z3_1 * m0f_12)) / (m0f_12 * (m0_1 - 2.0))
                 law_1 = s2 + (0.3333333333333333 * r[..., 0, 3])
             else:
                 # Deadbeat.
                 s3 = (self._b_1_1 * e1_1) + (self._b_2_1 * e2_1)
                 law_1 = s3 + (self._b_3_1 * e3_1) + (0.3333333333333333 * r[..., 0, 3])
-            if self._deadbeat_1 < m0_2:
+            if m0_2 > self._deadbeat_1:
                 # The exact law in samples.
                 s4 = (self._w1_1_1 * e1_2) + (self._w1_2_1 * e2_2)
                 z1_2 = s4 + (self._w1_3_1 * e3_2)
                 z2_2 = (self._w2_2_1 * e2_2) + (self._w2_3_1 * e3_2)
                 z3_2 = self._w3_3_1 * e3_2
-                s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0)
+                m0f_22 = m0_2 * (m0_2 - 1.0)
+                s5 = (z1_2 + (z2_2 * m0_2) + (z3_2 * m0f_22)) / (m0f_22 * (m0_2 - 2.0))
                 law_2 = s5 + (0.3333333333333333 * r[..., 1, 3])
             else:
                 # Deadbeat.
@@ -292,7 +294,7 @@ class Stage34:
                 axes[0] = status
                 u[1] = law_2
                 axes[1] = status
-                if self._u_max < law_1:
+                if law_1 > self._u_max:
                     u[0] = self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -300,7 +302,7 @@ class Stage34:
                     u[0] = -self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if self._u_max < law_2:
+                if law_2 > self._u_max:
                     u[1] = self._u_max
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

@@ -162,23 +162,23 @@ pub struct Stage34 {
     samples: u32,
     /// samples to go at which deadbeat takes over.
     deadbeat_1: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2_1: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2_1: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3_1: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3_1: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2_1: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     b_3_1: f64,
     /// bound of |u|.
     u_max: f64,
@@ -198,24 +198,24 @@ impl Stage34 {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage34Params) -> Result<Self, Error> {
-        if !((2 < params.samples)
+        if !((params.samples > 2)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && (1e-150 <= params.a)
             && (params.a <= 1e150)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = ((params.k[2] / params.a) - 4.0) + 3.0;
         let s2 = if s1 < 6.0 { 6.0 } else { s1 };
-        let deadbeat_1 = if 0.0 < params.deadbeat {
+        let deadbeat_1 = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -250,8 +250,8 @@ impl Stage34 {
             && b_1_1.is_finite()
             && b_2_1.is_finite()
             && b_3_1.is_finite()
-            && (1e-200 <= params.h * params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h * params.h)))
+            && (params.h * params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -306,26 +306,28 @@ impl Stage34 {
         let law_1: f64;
         let m0_2 = left as f64;
         let law_2: f64;
-        if self.deadbeat_1 < m0_1 {
+        if m0_1 > self.deadbeat_1 {
             // The exact law in samples.
             let s1 = (self.w1_1_1 * e1_1) + (self.w1_2_1 * e2_1);
             let z1_1 = s1 + (self.w1_3_1 * e3_1);
             let z2_1 = (self.w2_2_1 * e2_1) + (self.w2_3_1 * e3_1);
             let z3_1 = self.w3_3_1 * e3_1;
-            let s2 = ((((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)) + z3_1) / (m0_1 - 2.0);
+            let m0f_12 = m0_1 * (m0_1 - 1.0);
+            let s2 = (z1_1 + (z2_1 * m0_1) + (z3_1 * m0f_12)) / (m0f_12 * (m0_1 - 2.0));
             law_1 = s2 + (0.3333333333333333 * r[0][3]);
         } else {
             // Deadbeat.
             let s3 = (self.b_1_1 * e1_1) + (self.b_2_1 * e2_1);
             law_1 = s3 + (self.b_3_1 * e3_1) + (0.3333333333333333 * r[0][3]);
         }
-        if self.deadbeat_1 < m0_2 {
+        if m0_2 > self.deadbeat_1 {
             // The exact law in samples.
             let s4 = (self.w1_1_1 * e1_2) + (self.w1_2_1 * e2_2);
             let z1_2 = s4 + (self.w1_3_1 * e3_2);
             let z2_2 = (self.w2_2_1 * e2_2) + (self.w2_3_1 * e3_2);
             let z3_2 = self.w3_3_1 * e3_2;
-            let s5 = ((((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0)) + z3_2) / (m0_2 - 2.0);
+            let m0f_22 = m0_2 * (m0_2 - 1.0);
+            let s5 = (z1_2 + (z2_2 * m0_2) + (z3_2 * m0f_22)) / (m0f_22 * (m0_2 - 2.0));
             law_2 = s5 + (0.3333333333333333 * r[1][3]);
         } else {
             // Deadbeat.
@@ -342,7 +344,7 @@ impl Stage34 {
             axes[0] = status;
             u[1] = law_2;
             axes[1] = status;
-            if self.u_max < law_1 {
+            if law_1 > self.u_max {
                 u[0] = self.u_max;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -351,7 +353,7 @@ impl Stage34 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if self.u_max < law_2 {
+            if law_2 > self.u_max {
                 u[1] = self.u_max;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -33,6 +33,11 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE35_W1_1_1 (-120000.0) /* weight of x1 in the law */
+#define STAGE35_W1_2_1 600.0 /* weight of x2 in the law */
+#define STAGE35_W2_2_1 (-600.0) /* weight of x2 in the law */
+#define STAGE35_W1_1_2 (-400.0) /* weight of x1 in the law */
 ptc_status stage35_init(stage35 *self, const stage35_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -78,12 +83,12 @@ ptc_status stage35_step(
 
             /* The exact law in samples. */
             const double m0_1 = (elapsed < 28U) ? ((double)(32U - elapsed)) : 4.0;
-            const double z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
-            const double z2_1 = (-600.0) * x2_1;
-            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+            const double z1_1 = (STAGE35_W1_1_1 * x1_1) + (STAGE35_W1_2_1 * x2_1);
+            const double z2_1 = STAGE35_W2_2_1 * x2_1;
+            law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
             double law_2;
             const double m0_2 = (elapsed < 29U) ? ((double)(33U - elapsed)) : 4.0;
-            const double z1_2 = (-400.0) * x1_2;
+            const double z1_2 = STAGE35_W1_1_2 * x1_2;
             law_2 = z1_2 / m0_2;
 
             /* The inputs that give all of them. */
@@ -103,7 +108,7 @@ ptc_status stage35_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (20.0 < control1) {
+                if (control1 > 20.0) {
                     u[0] = 20.0;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -114,7 +119,7 @@ ptc_status stage35_step(
                 } else {
                     /* neither */
                 }
-                if (30.0 < control2) {
+                if (control2 > 30.0) {
                     u[1] = 30.0;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

@@ -53,8 +53,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 1, whose sum is the number of states.
  */
-#ifndef STAGE35_BF21BA56_HPP
-#define STAGE35_BF21BA56_HPP
+#ifndef STAGE35_106B0AAF_HPP
+#define STAGE35_106B0AAF_HPP
 
 #include <array>
 #include <cfloat>
@@ -168,12 +168,12 @@ public:
 
         // The exact law in samples.
         const double m0_1 = (elapsed < 28U) ? (static_cast<double>(32U - elapsed)) : 4.0;
-        const double z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
-        const double z2_1 = (-600.0) * x2_1;
-        law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+        const double z1_1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
+        const double z2_1 = w2_2_1_ * x2_1;
+        law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
         double law_2{};
         const double m0_2 = (elapsed < 29U) ? (static_cast<double>(33U - elapsed)) : 4.0;
-        const double z1_2 = (-400.0) * x1_2;
+        const double z1_2 = w1_1_2_ * x1_2;
         law_2 = z1_2 / m0_2;
 
         // The inputs that give all of them.
@@ -193,7 +193,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (20.0 < control1) {
+            if (control1 > 20.0) {
                 all.u[0] = 20.0;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -202,7 +202,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (30.0 < control2) {
+            if (control2 > 30.0) {
                 all.u[1] = 30.0;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -235,6 +235,14 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_1_{-120000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_1_{600.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_1_{-600.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_2_{-400.0};
 
     std::uint32_t start_{}; // tick at which it was armed
 };

@@ -14,6 +14,10 @@ function [u, axes, status] = stage35_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+w1_1_1 = -120000.0; % weight of x1 in the law
+w1_2_1 = 600.0; % weight of x2 in the law
+w2_2_1 = -600.0; % weight of x2 in the law
+w1_1_2 = -400.0; % weight of x1 in the law
 u = zeros(2, 1, 'double');
 axes = repmat(int32(-2), 2, 1);
 k = double(k);
@@ -37,11 +41,11 @@ x2_1 = 1.0000166669696244 * x(2);
 
 % The exact law in samples.
 m0_1 = pick(elapsed < uint32(28), double(uint32(mod(double(uint32(32)) - double(elapsed), 4294967296))), 4.0);
-z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
-z2_1 = (-600.0) * x2_1;
-law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+z1_1 = (w1_1_1 * x1_1) + (w1_2_1 * x2_1);
+z2_1 = w2_2_1 * x2_1;
+law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
 m0_2 = pick(elapsed < uint32(29), double(uint32(mod(double(uint32(33)) - double(elapsed), 4294967296))), 4.0);
-z1_2 = (-400.0) * x1_2;
+z1_2 = w1_1_2 * x1_2;
 law_2 = z1_2 / m0_2;
 
 % The inputs that give all of them.
@@ -61,7 +65,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if 20.0 < control1
+    if control1 > 20.0
         u(1) = 20.0;
         axes(1) = int32(2);
         status = int32(2);
@@ -70,7 +74,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if 30.0 < control2
+    if control2 > 30.0
         u(2) = 30.0;
         axes(2) = int32(2);
         status = int32(2);

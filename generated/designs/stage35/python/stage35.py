@@ -122,6 +122,15 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of x1 in the law.
+_W1_1_1 = _R(-120000.0)
+# Weight of x2 in the law.
+_W1_2_1 = _R(600.0)
+# Weight of x2 in the law.
+_W2_2_1 = _R(-600.0)
+# Weight of x1 in the law.
+_W1_1_2 = _R(-400.0)
+
 class Stage35:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -165,11 +174,11 @@ class Stage35:
 
             # The exact law in samples.
             m0_1 = _R((32 - elapsed) & _WRAP) if elapsed < 28 else _R(4.0)
-            z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1)
-            z2_1 = (-600.0) * x2_1
-            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0)
+            z1_1 = (_W1_1_1 * x1_1) + (_W1_2_1 * x2_1)
+            z2_1 = _W2_2_1 * x2_1
+            law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0))
             m0_2 = _R((33 - elapsed) & _WRAP) if elapsed < 29 else _R(4.0)
-            z1_2 = (-400.0) * x1_2
+            z1_2 = _W1_1_2 * x1_2
             law_2 = z1_2 / m0_2
 
             # The inputs that give all of them.
@@ -188,7 +197,7 @@ class Stage35:
                 axes[0] = status
                 u[1] = control2
                 axes[1] = status
-                if 20.0 < control1:
+                if control1 > 20.0:
                     u[0] = _R(20.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -196,7 +205,7 @@ class Stage35:
                     u[0] = _R(-20.0)
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if 30.0 < control2:
+                if control2 > 30.0:
                     u[1] = _R(30.0)
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

@@ -161,6 +161,15 @@ pub struct Stage35 {
     clippy::nursery
 )]
 impl Stage35 {
+    /// Weight of x1 in the law.
+    const W1_1_1: f64 = -120000.0;
+    /// Weight of x2 in the law.
+    const W1_2_1: f64 = 600.0;
+    /// Weight of x2 in the law.
+    const W2_2_1: f64 = -600.0;
+    /// Weight of x1 in the law.
+    const W1_1_2: f64 = -400.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -206,16 +215,16 @@ impl Stage35 {
         } else {
             4.0
         };
-        let z1_1 = ((-120000.0) * x1_1) + (600.0 * x2_1);
-        let z2_1 = (-600.0) * x2_1;
-        law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0);
+        let z1_1 = (Self::W1_1_1 * x1_1) + (Self::W1_2_1 * x2_1);
+        let z2_1 = Self::W2_2_1 * x2_1;
+        law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0));
         let law_2: f64;
         let m0_2 = if elapsed < 29 {
             33_u32.wrapping_sub(elapsed) as f64
         } else {
             4.0
         };
-        let z1_2 = (-400.0) * x1_2;
+        let z1_2 = Self::W1_1_2 * x1_2;
         law_2 = z1_2 / m0_2;
 
         // The inputs that give all of them.
@@ -235,7 +244,7 @@ impl Stage35 {
             axes[0] = status;
             u[1] = control2;
             axes[1] = status;
-            if 20.0 < control1 {
+            if control1 > 20.0 {
                 u[0] = 20.0;
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
@@ -244,7 +253,7 @@ impl Stage35 {
                 axes[0] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);
             }
-            if 30.0 < control2 {
+            if control2 > 30.0 {
                 u[1] = 30.0;
                 axes[1] = Ok(Status::Saturated);
                 status = Ok(Status::Saturated);

@@ -33,23 +33,28 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE36_B_1_1 (-2500.0f) /* weight of x1 in the law */
+#define STAGE36_B_2_1 (-75.0f) /* weight of x2 in the law */
+#define STAGE36_B_1_2 (-2500.0f) /* weight of x1 in the law */
+#define STAGE36_B_2_2 (-75.0f) /* weight of x2 in the law */
 ptc_status stage36_init(stage36 *self, const stage36_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples)
-            && (0.0f < params->u_max)
+        if ((params->samples > 1U)
+            && (params->u_max > 0.0f)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
             const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-            const float deadbeat_1 = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat_1 = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float w1_1_1 = 2500.0f * (-(params->k[0] / (params->a * params->a)));
             const float w1_2_1 = 50.0f * ((-0.5f) * (-(params->k[0] / (params->a * params->a))));
             const float w2_2_1 = 50.0f * (1.0f - (params->k[1] / params->a));
@@ -109,23 +114,23 @@ ptc_status stage36_step(
             float law_1;
             const float m0_2 = (float)left;
             float law_2;
-            if (self->deadbeat_1 < m0_1) {
+            if (m0_1 > self->deadbeat_1) {
                 /* The exact law in samples. */
                 const float z1_1 = (self->w1_1_1 * x1_1) + (self->w1_2_1 * x2_1);
                 const float z2_1 = self->w2_2_1 * x2_1;
-                law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f);
+                law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0f));
             } else {
                 /* Deadbeat. */
-                law_1 = ((-2500.0f) * x1_1) - (75.0f * x2_1);
+                law_1 = (STAGE36_B_1_1 * x1_1) + (STAGE36_B_2_1 * x2_1);
             }
-            if (self->deadbeat_1 < m0_2) {
+            if (m0_2 > self->deadbeat_1) {
                 /* The exact law in samples. */
                 const float z1_2 = (self->w1_1_1 * x1_2) + (self->w1_2_1 * x2_2);
                 const float z2_2 = self->w2_2_1 * x2_2;
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f);
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0f));
             } else {
                 /* Deadbeat. */
-                law_2 = ((-2500.0f) * x1_2) - (75.0f * x2_2);
+                law_2 = (STAGE36_B_1_2 * x1_2) + (STAGE36_B_2_2 * x2_2);
             }
 
             /* The inputs that give all of them. */
@@ -145,7 +150,7 @@ ptc_status stage36_step(
                 axes[0] = status;
                 u[1] = control2;
                 axes[1] = status;
-                if (self->u_max < control1) {
+                if (control1 > self->u_max) {
                     u[0] = self->u_max;
                     axes[0] = PTC_SATURATED;
                     status = PTC_SATURATED;
@@ -156,7 +161,7 @@ ptc_status stage36_step(
                 } else {
                     /* neither */
                 }
-                if (self->u_max < control2) {
+                if (control2 > self->u_max) {
                     u[1] = self->u_max;
                     axes[1] = PTC_SATURATED;
                     status = PTC_SATURATED;

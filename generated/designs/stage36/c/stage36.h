@@ -57,8 +57,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE36_57962980_H
-#define STAGE36_57962980_H
+#ifndef STAGE36_BD6388A0_H
+#define STAGE36_BD6388A0_H
 
 #include <stdint.h>
 
@@ -98,9 +98,9 @@ typedef struct stage36 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     float deadbeat_1; /* samples to go at which deadbeat takes over */
-    float w1_1_1; /* weight of a state in the law */
-    float w1_2_1; /* weight of a state in the law */
-    float w2_2_1; /* weight of a state in the law */
+    float w1_1_1; /* weight of x1 in the law */
+    float w1_2_1; /* weight of x2 in the law */
+    float w2_2_1; /* weight of x2 in the law */
     float u_max; /* bound of |u| */
 } stage36;
 

@@ -56,8 +56,8 @@
  *   envelope: not checked: `x_max` is not given.
  *   zeros: sound: none: the relative degrees are 2, 2, whose sum is the number of states.
  */
-#ifndef STAGE36_97171314_HPP
-#define STAGE36_97171314_HPP
+#ifndef STAGE36_AD4AE918_HPP
+#define STAGE36_AD4AE918_HPP
 
 #include <array>
 #include <cfloat>
@@ -146,20 +146,20 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples)
-                && (0.0f < params.u_max)
+        if (!((params.samples > 1U)
+                && (params.u_max > 0.0f)
                 && (1e-18f <= params.a)
                 && (params.a <= 1e18f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const float s1 = ((params.k[1] / params.a) - 1.0f) + 2.0f;
         const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-        const float deadbeat_1 = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat_1 = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float w1_1_1 = 2500.0f * (-(params.k[0] / (params.a * params.a)));
         const float w1_2_1 = 50.0f * ((-0.5f) * (-(params.k[0] / (params.a * params.a))));
         const float w2_2_1 = 50.0f * (1.0f - (params.k[1] / params.a));
@@ -204,23 +204,23 @@ public:
         float law_1{};
         const float m0_2 = static_cast<float>(left);
         float law_2{};
-        if (deadbeat_1_ < m0_1) {
+        if (m0_1 > deadbeat_1_) {
             // The exact law in samples.
             const float z1_1 = (w1_1_1_ * x1_1) + (w1_2_1_ * x2_1);
             const float z2_1 = w2_2_1_ * x2_1;
-            law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - 1.0f);
+            law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - 1.0f));
         } else {
             // Deadbeat.
-            law_1 = ((-2500.0f) * x1_1) - (75.0f * x2_1);
+            law_1 = (b_1_1_ * x1_1) + (b_2_1_ * x2_1);
         }
-        if (deadbeat_1_ < m0_2) {
+        if (m0_2 > deadbeat_1_) {
             // The exact law in samples.
             const float z1_2 = (w1_1_1_ * x1_2) + (w1_2_1_ * x2_2);
             const float z2_2 = w2_2_1_ * x2_2;
-            law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - 1.0f);
+            law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - 1.0f));
         } else {
             // Deadbeat.
-            law_2 = ((-2500.0f) * x1_2) - (75.0f * x2_2);
+            law_2 = (b_1_2_ * x1_2) + (b_2_2_ * x2_2);
         }
 
         // The inputs that give all of them.
@@ -240,7 +240,7 @@ public:
             all.axes[0] = all.status;
             all.u[1] = control2;
             all.axes[1] = all.status;
-            if (u_max_ < control1) {
+            if (control1 > u_max_) {
                 all.u[0] = u_max_;
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -249,7 +249,7 @@ public:
                 all.axes[0] = Status::Saturated;
                 all.status = Status::Saturated;
             }
-            if (u_max_ < control2) {
+            if (control2 > u_max_) {
                 all.u[1] = u_max_;
                 all.axes[1] = Status::Saturated;
                 all.status = Status::Saturated;
@@ -282,13 +282,21 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// Weight of x1 in the law.
+    static constexpr float b_1_1_{-2500.0f};
+    /// Weight of x2 in the law.
+    static constexpr float b_2_1_{-75.0f};
+    /// Weight of x1 in the law.
+    static constexpr float b_1_2_{-2500.0f};
+    /// Weight of x2 in the law.
+    static constexpr float b_2_2_{-75.0f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     float deadbeat_1_{}; // samples to go at which deadbeat takes over
-    float w1_1_1_{}; // weight of a state in the law
-    float w1_2_1_{}; // weight of a state in the law
-    float w2_2_1_{}; // weight of a state in the law
+    float w1_1_1_{}; // weight of x1 in the law
+    float w1_2_1_{}; // weight of x2 in the law
+    float w2_2_1_{}; // weight of x2 in the law
     float u_max_{}; // bound of |u|
 };
 

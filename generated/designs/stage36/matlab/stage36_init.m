@@ -80,10 +80,10 @@ if numel(params.k) ~= 2
     error('stage36:param', 'params.k has %d numbers; legal: 2', numel(params.k));
 end
 given.deadbeat = single(params.deadbeat);
-if ~(uint32(1) < given.samples)
+if ~(given.samples > uint32(1))
     error('stage36:param', 'params.samples is %g; legal: >= 2', params.samples);
 end
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage36:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~((single(1.000000045813705e-18) <= given.a) && (given.a <= single(9.999999843067494e17)))
@@ -95,13 +95,13 @@ end
 if ~isfinite(given.k(2))
     error('stage36:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
-if ~(isfinite(given.deadbeat) && (single(0.0) <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= single(0.0)))
     error('stage36:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = ((given.k(2) / given.a) - single(1.0)) + single(2.0);
 s2 = pick(s1 < single(4.0), single(4.0), s1);
-deadbeat_1 = pick(single(0.0) < given.deadbeat, given.deadbeat, s2);
+deadbeat_1 = pick(given.deadbeat > single(0.0), given.deadbeat, s2);
 w1_1_1 = single(2500.0) * (-(given.k(1) / (given.a * given.a)));
 w1_2_1 = single(50.0) * ((-single(0.5)) * (-(given.k(1) / (given.a * given.a))));
 w2_2_1 = single(50.0) * (single(1.0) - (given.k(2) / given.a));

@@ -14,6 +14,10 @@ function [u, axes, status] = stage36_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+b_1_1 = -single(2500.0); % weight of x1 in the law
+b_2_1 = -single(75.0); % weight of x2 in the law
+b_1_2 = -single(2500.0); % weight of x1 in the law
+b_2_2 = -single(75.0); % weight of x2 in the law
 u = zeros(2, 1, 'single');
 axes = repmat(int32(-2), 2, 1);
 k = double(k);
@@ -37,23 +41,23 @@ x2_2 = ((-single(2.857664912880864e-5)) * x(3)) + (single(1.000095248222351) * x
 left = self.samples - elapsed;
 m0_1 = single(left);
 m0_2 = single(left);
-if self.deadbeat_1 < m0_1
+if m0_1 > self.deadbeat_1
     % The exact law in samples.
     z1_1 = (self.w1_1_1 * x1_1) + (self.w1_2_1 * x2_1);
     z2_1 = self.w2_2_1 * x2_1;
-    law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - single(1.0));
+    law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - single(1.0)));
 else
     % Deadbeat.
-    law_1 = ((-single(2500.0)) * x1_1) - (single(75.0) * x2_1);
+    law_1 = (b_1_1 * x1_1) + (b_2_1 * x2_1);
 end
-if self.deadbeat_1 < m0_2
+if m0_2 > self.deadbeat_1
     % The exact law in samples.
     z1_2 = (self.w1_1_1 * x1_2) + (self.w1_2_1 * x2_2);
     z2_2 = self.w2_2_1 * x2_2;
-    law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - single(1.0));
+    law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - single(1.0)));
 else
     % Deadbeat.
-    law_2 = ((-single(2500.0)) * x1_2) - (single(75.0) * x2_2);
+    law_2 = (b_1_2 * x1_2) + (b_2_2 * x2_2);
 end
 
 % The inputs that give all of them.
@@ -73,7 +77,7 @@ if isfinite(control1) && isfinite(control2)
     axes(1) = status;
     u(2) = control2;
     axes(2) = status;
-    if self.u_max < control1
+    if control1 > self.u_max
         u(1) = self.u_max;
         axes(1) = int32(2);
         status = int32(2);
@@ -82,7 +86,7 @@ if isfinite(control1) && isfinite(control2)
         axes(1) = int32(2);
         status = int32(2);
     end
-    if self.u_max < control2
+    if control2 > self.u_max
         u(2) = self.u_max;
         axes(2) = int32(2);
         status = int32(2);

@@ -137,6 +137,15 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of x1 in the law.
+_B_1_1 = _R(-_R(2500.0))
+# Weight of x2 in the law.
+_B_2_1 = _R(-_R(75.0))
+# Weight of x1 in the law.
+_B_1_2 = _R(-_R(2500.0))
+# Weight of x2 in the law.
+_B_2_2 = _R(-_R(75.0))
+
 class Stage36:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -152,9 +161,9 @@ class Stage36:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 2, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (1 < given_samples):
+            if not (given_samples > 1):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (_R(1.000000045813705e-18) <= given_a <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
@@ -162,12 +171,12 @@ class Stage36:
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = ((given_k[1] / given_a) - _R(1.0)) + _R(2.0)
             s2 = max(s1, _R(4.0))
-            deadbeat_1 = given_deadbeat if _R(0.0) < given_deadbeat else s2
+            deadbeat_1 = given_deadbeat if given_deadbeat > _R(0.0) else s2
             w1_1_1 = _R(2500.0) * (-(given_k[0] / (given_a * given_a)))
             w1_2_1 = _R(50.0) * ((-_R(0.5)) * (-(given_k[0] / (given_a * given_a))))
             w2_2_1 = _R(50.0) * (_R(1.0) - (given_k[1] / given_a))
@@ -225,22 +234,22 @@ class Stage36:
             left = max(self._samples - elapsed, 0)
             m0_1 = _R(left)
             m0_2 = _R(left)
-            if self._deadbeat_1 < m0_1:
+            if m0_1 > self._deadbeat_1:
                 # The exact law in samples.
                 z1_1 = (self._w1_1_1 * x1_1) + (self._w1_2_1 * x2_1)
                 z2_1 = self._w2_2_1 * x2_1
-                law_1 = ((z1_1 / m0_1) + z2_1) / (m0_1 - _R(1.0))
+                law_1 = (z1_1 + (z2_1 * m0_1)) / (m0_1 * (m0_1 - _R(1.0)))
             else:
                 # Deadbeat.
-                law_1 = ((-_R(2500.0)) * x1_1) - (_R(75.0) * x2_1)
-            if self._deadbeat_1 < m0_2:
+                law_1 = (_B_1_1 * x1_1) + (_B_2_1 * x2_1)
+            if m0_2 > self._deadbeat_1:
                 # The exact law in samples.
                 z1_2 = (self._w1_1_1 * x1_2) + (self._w1_2_1 * x2_2)
                 z2_2 = self._w2_2_1 * x2_2
-                law_2 = ((z1_2 / m0_2) + z2_2) / (m0_2 - _R(1.0))
+                law_2 = (z1_2 + (z2_2 * m0_2)) / (m0_2 * (m0_2 - _R(1.0)))
             else:
                 # Deadbeat.
-                law_2 = ((-_R(2500.0)) * x1_2) - (_R(75.0) * x2_2)
+                law_2 = (_B_1_2 * x1_2) + (_B_2_2 * x2_2)
 
             # The inputs that give all of them.
             s1 = ((-_R(1.7116923332214355)) * x[0]) + (_R(1.7115782499313354) * x[1]) + ((-_R(0.15976756811141968)) * x[2])
@@ -258,7 +267,7 @@ class Stage36:
                 axes[0] = status
                 u[1] = control2
                 axes[1] = status
-                if self._u_max < control1:
+                if control1 > self._u_max:
                     u[0] = self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
@@ -266,7 +275,7 @@ class Stage36:
                     u[0] = -self._u_max
                     axes[0] = Status.SATURATED
                     status = Status.SATURATED
-                if self._u_max < control2:
+                if control2 > self._u_max:
                     u[1] = self._u_max
                     axes[1] = Status.SATURATED
                     status = Status.SATURATED

@@ -37,7 +37,7 @@ ptc_status stage37_init(stage37 *self, const stage37_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((1U < params->samples)
+        if ((params->samples > 1U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
             && (1e-150 <= params->a)
@@ -45,12 +45,12 @@ ptc_status stage37_init(stage37 *self, const stage37_params *params)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)
+            && (params->deadbeat >= 0.0)
             && (params->u_min < params->u_max)) {
             const uint32_t samples = params->samples;
             const double s1 = ((params->k[1] / params->a) - 1.0) + 2.0;
             const double s2 = (s1 < 4.0) ? 4.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double s3 = -(params->k[0] / (params->a * params->a));
             const double w1_1 = s3 * (1.0 / (params->h * params->h));
             const double s4 = (-0.5) * (-(params->k[0] / (params->a * params->a)));
@@ -66,8 +66,8 @@ ptc_status stage37_init(stage37 *self, const stage37_params *params)
                 && PTC_FINITE_F64(w2_2)
                 && PTC_FINITE_F64(b_1)
                 && PTC_FINITE_F64(b_2)
-                && (1e-200 <= params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat = deadbeat;
@@ -111,17 +111,17 @@ ptc_status stage37_step(const stage37 *self, uint32_t k, const double x[2], doub
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = (double)left;
             double v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
                 const double z2 = self->w2_2 * x2;
-                v = ((z1 / m0) + z2) / (m0 - 1.0);
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
             } else {
                 /* Deadbeat. */
                 v = (self->b_1 * x1) + (self->b_2 * x2);
             }
             if (PTC_FINITE_F64(v)) {
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < self->u_min) {

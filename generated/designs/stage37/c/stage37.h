@@ -40,8 +40,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE37_85BE6A95_H
-#define STAGE37_85BE6A95_H
+#ifndef STAGE37_34EDEACD_H
+#define STAGE37_34EDEACD_H
 
 #include <stdint.h>
 
@@ -83,11 +83,11 @@ typedef struct stage37 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
-    double b_2; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double b_1; /* weight of x1 in the law */
+    double b_2; /* weight of x2 in the law */
     double u_max; /* upper limit of u */
     double u_min; /* lower limit of u */
 } stage37;

@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE37_E4A8ED42_HPP
-#define STAGE37_E4A8ED42_HPP
+#ifndef STAGE37_868E87E7_HPP
+#define STAGE37_868E87E7_HPP
 
 #include <array>
 #include <cfloat>
@@ -119,7 +119,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((1U < params.samples)
+        if (!((params.samples > 1U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
                 && (1e-150 <= params.a)
@@ -127,14 +127,14 @@ public:
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat)
+                && (params.deadbeat >= 0.0)
                 && (params.u_min < params.u_max))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const double s1 = ((params.k[1] / params.a) - 1.0) + 2.0;
         const double s2 = (s1 < 4.0) ? 4.0 : s1;
-        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double s3 = -(params.k[0] / (params.a * params.a));
         const double w1_1 = s3 * (1.0 / (params.h * params.h));
         const double s4 = (-0.5) * (-(params.k[0] / (params.a * params.a)));
@@ -150,8 +150,8 @@ public:
                 && finite(w2_2)
                 && finite(b_1)
                 && finite(b_2)
-                && (1e-200 <= params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -186,17 +186,17 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = static_cast<double>(left);
         double v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
             const double z2 = w2_2_ * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
         } else {
             // Deadbeat.
             v = (b_1_ * x1) + (b_2_ * x2);
         }
         if (finite(v)) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 return {u_max_, Status::Saturated};
             } else if (v < u_min_) {
                 return {u_min_, Status::Saturated};
@@ -220,11 +220,11 @@ private:
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     double deadbeat_{}; // samples to go at which deadbeat takes over
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double b_1_{}; // weight of a state in the law
-    double b_2_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double b_1_{}; // weight of x1 in the law
+    double b_2_{}; // weight of x2 in the law
     double u_max_{}; // upper limit of u
     double u_min_{}; // lower limit of u
 };

@@ -67,7 +67,7 @@ if numel(params.k) ~= 2
     error('stage37:param', 'params.k has %d numbers; legal: 2', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(1) < given.samples)
+if ~(given.samples > uint32(1))
     error('stage37:param', 'params.samples is %g; legal: >= 2', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
@@ -82,7 +82,7 @@ end
 if ~isfinite(given.k(2))
     error('stage37:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage37:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 if ~(given.u_min < given.u_max)
@@ -91,7 +91,7 @@ end
 samples = given.samples;
 s1 = ((given.k(2) / given.a) - 1.0) + 2.0;
 s2 = pick(s1 < 4.0, 4.0, s1);
-deadbeat = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 s3 = -(given.k(1) / (given.a * given.a));
 w1_1 = s3 * (1.0 / (given.h * given.h));
 s4 = (-0.5) * (-(given.k(1) / (given.a * given.a)));
@@ -107,8 +107,8 @@ if ~(isfinite(deadbeat) ...
     && isfinite(w2_2) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
-    && (1e-200 <= given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h)))
+    && (given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h) >= 1e-200))
     error('stage37:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -29,17 +29,17 @@ x1 = x(1);
 x2 = x(2);
 left = self.samples - elapsed;
 m0 = double(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
     z2 = self.w2_2 * x2;
-    v = ((z1 / m0) + z2) / (m0 - 1.0);
+    v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
 else
     % Deadbeat.
     v = (self.b_1 * x1) + (self.b_2 * x2);
 end
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
     elseif v < self.u_min

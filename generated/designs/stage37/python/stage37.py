@@ -131,7 +131,7 @@ class Stage37:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 2, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (1 < given_samples):
+            if not (given_samples > 1):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 2")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
@@ -141,14 +141,14 @@ class Stage37:
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             if not (given_u_min < given_u_max):
                 raise ValueError(f"params.u_min is {params.u_min}; legal: < u_max")
             samples = given_samples
             s1 = ((given_k[1] / given_a) - 1.0) + 2.0
             s2 = max(s1, _R(4.0))
-            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > 0.0 else s2
             s3 = -(given_k[0] / (given_a * given_a))
             w1_1 = s3 * (1.0 / (given_h * given_h))
             s4 = (-0.5) * (-(given_k[0] / (given_a * given_a)))
@@ -165,8 +165,8 @@ class Stage37:
                 and np.isfinite(w2_2)
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
-                and (1e-200 <= given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h))
+                and (given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -200,16 +200,16 @@ class Stage37:
             x2 = x[1]
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2)
                 z2 = self._w2_2 * x2
-                v = ((z1 / m0) + z2) / (m0 - 1.0)
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0))
             else:
                 # Deadbeat.
                 v = (self._b_1 * x1) + (self._b_2 * x2)
             if np.isfinite(v):
-                if self._u_max < v:
+                if v > self._u_max:
                     return Control(self._u_max, Status.SATURATED)
                 elif v < self._u_min:
                     return Control(self._u_min, Status.SATURATED)

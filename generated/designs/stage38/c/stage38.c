@@ -33,6 +33,30 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE38_PHI1_2 0.01f /* 1/100, prediction of x1 from x2 */
+#define STAGE38_PHI1_3 5e-5f /* 1/20000, prediction of x1 from d */
+#define STAGE38_GAMMA1 5e-5f /* 1/20000, prediction from u */
+#define STAGE38_PHI2_3 0.01f /* 1/100, prediction of x2 from d */
+#define STAGE38_GAMMA2 0.01f /* 1/100, prediction from u */
+#define STAGE38_OBSERVER_SAMPLES 20U /* samples of the round of the observer */
+#define STAGE38_Q1_1 120.0f /* weight in the observer's gain l1 */
+#define STAGE38_Q1_2 (-60.0f) /* weight in the observer's gain l1 */
+#define STAGE38_Q1_3 12.0f /* weight in the observer's gain l1 */
+#define STAGE38_Q2_1 (-10800.0f) /* weight in the observer's gain l2 */
+#define STAGE38_Q2_2 3600.0f /* weight in the observer's gain l2 */
+#define STAGE38_Q3_1 240000.0f /* weight in the observer's gain l3 */
+#define STAGE38_E0_2 42.857143f /* 300/7, gain of the observer at its end */
+#define STAGE38_E0_3 1428.5714f /* 10000/7, gain of the observer at its end */
+#define STAGE38_E1_2 85.71429f /* 600/7, gain of the observer at its end */
+#define STAGE38_E1_3 (-2857.1428f) /* -20000/7, gain of the observer at its end */
+#define STAGE38_E2_2 150.0f /* gain of the observer at its end */
+#define STAGE38_E2_3 10000.0f /* gain of the observer at its end */
+#define STAGE38_W1_1 (-1200000.0f) /* weight of x1 in the law */
+#define STAGE38_W1_2 6000.0f /* weight of x2 in the law */
+#define STAGE38_W2_2 (-6000.0f) /* weight of x2 in the law */
+#define STAGE38_W3_3 (-12.0f) /* weight of u1 in the law */
+#define STAGE38_SAMPLES 40U /* samples from the start to rest */
 ptc_status stage38_init(stage38 *self, const stage38_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -81,9 +105,11 @@ ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u)
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
-            const float s1 = self->x1_hat + (0.01f * self->x2_hat) + (5e-5f * self->d_hat);
-            const float p1 = s1 + (5e-5f * self->u2);
-            const float p2 = self->x2_hat + (0.01f * self->d_hat) + (0.01f * self->u2);
+            const float s1 = self->x1_hat + (STAGE38_PHI1_2 * self->x2_hat);
+            const float s2 = s1 + (STAGE38_PHI1_3 * self->d_hat);
+            const float p1 = s2 + (STAGE38_GAMMA1 * self->u2);
+            const float s3 = self->x2_hat + (STAGE38_PHI2_3 * self->d_hat);
+            const float p2 = s3 + (STAGE38_GAMMA2 * self->u2);
             const float p3 = self->d_hat;
 
             /* Correct by what is measured. */
@@ -96,30 +122,29 @@ ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u)
                 base = p1;
                 miss = y[0] - p1;
             }
-            const uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+            const uint32_t left_o = (elapsed < STAGE38_OBSERVER_SAMPLES) ? (STAGE38_OBSERVER_SAMPLES - elapsed) : 0U;
             const float o0 = (float)left_o;
             float l1;
             float l2;
             float l3;
-            if (8.0f < o0) {
-                const float r0 = 1.0f / o0;
-                const float r1 = 1.0f / (o0 - 1.0f);
-                const float r2 = 1.0f / (o0 - 2.0f);
-                l1 = ((((120.0f * r0) - 60.0f) * r1) + 12.0f) * r2;
-                l2 = (((-10800.0f) * r0) + 3600.0f) * r1 * r2;
-                l3 = 240000.0f * r0 * r1 * r2;
+            if (o0 > 8.0f) {
+                const float o0f2 = o0 * (o0 - 1.0f);
+                const float r0 = 1.0f / (o0f2 * (o0 - 2.0f));
+                l1 = (STAGE38_Q1_1 + (STAGE38_Q1_2 * o0) + (STAGE38_Q1_3 * o0f2)) * r0;
+                l2 = (STAGE38_Q2_1 + (STAGE38_Q2_2 * o0)) * r0;
+                l3 = STAGE38_Q3_1 * r0;
             } else if (left_o == 8U) {
                 l1 = 1.0f;
-                l2 = 42.857143f;
-                l3 = 1428.5714f;
+                l2 = STAGE38_E0_2;
+                l3 = STAGE38_E0_3;
             } else if (left_o == 7U) {
                 l1 = 1.0f;
-                l2 = 85.71429f;
-                l3 = -2857.1428f;
+                l2 = STAGE38_E1_2;
+                l3 = STAGE38_E1_3;
             } else {
                 l1 = 1.0f;
-                l2 = 150.0f;
-                l3 = 10000.0f;
+                l2 = STAGE38_E2_2;
+                l3 = STAGE38_E2_3;
             }
             const float x1 = base + (l1 * miss);
             const float x2 = p2 + (l2 * miss);
@@ -128,16 +153,17 @@ ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u)
 
             /* The exact law in samples. */
             const float m0 = (elapsed < 37U) ? ((float)(43U - elapsed)) : 6.0f;
-            const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
-            const float z2 = (-6000.0f) * x2;
-            const float z3 = (-12.0f) * (self->u1 + d);
-            const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
-            v = (s2 + (self->u1 + d)) - d;
+            const float z1 = (STAGE38_W1_1 * x1) + (STAGE38_W1_2 * x2);
+            const float z2 = STAGE38_W2_2 * x2;
+            const float z3 = STAGE38_W3_3 * (self->u1 + d);
+            const float m0f2 = m0 * (m0 - 1.0f);
+            const float s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0f));
+            v = (s4 + (self->u1 + d)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F32(v)) {
                 float u_now;
-                if (elapsed < 40U) {
-                    if (1.0f < v) {
+                if (elapsed < STAGE38_SAMPLES) {
+                    if (v > 1.0f) {
                         u_now = 1.0f;
                     } else if (v < 0.0f) {
                         u_now = 0.0f;
@@ -154,8 +180,8 @@ ptc_status stage38_step(stage38 *self, uint32_t k, const float y[1], float *u)
                 self->d_hat = d;
                 self->seen = 1U;
                 *u = u_now;
-                if (elapsed < 40U) {
-                    if ((1.0f < v) || (v < 0.0f)) {
+                if (elapsed < STAGE38_SAMPLES) {
+                    if ((v > 1.0f) || (v < 0.0f)) {
                         status = PTC_SATURATED;
                     } else {
                         status = PTC_OK;

@@ -44,8 +44,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE38_E2FBEC1E_HPP
-#define STAGE38_E2FBEC1E_HPP
+#ifndef STAGE38_BA3C8188_HPP
+#define STAGE38_BA3C8188_HPP
 
 #include <array>
 #include <cfloat>
@@ -152,9 +152,11 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const float s1 = x1_hat_ + (0.01f * x2_hat_) + (5e-5f * d_hat_);
-        const float p1 = s1 + (5e-5f * u2_);
-        const float p2 = x2_hat_ + (0.01f * d_hat_) + (0.01f * u2_);
+        const float s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const float s2 = s1 + (phi1_3_ * d_hat_);
+        const float p1 = s2 + (gamma1_ * u2_);
+        const float s3 = x2_hat_ + (phi2_3_ * d_hat_);
+        const float p2 = s3 + (gamma2_ * u2_);
         const float p3 = d_hat_;
 
         // Correct by what is measured.
@@ -167,30 +169,29 @@ public:
             base = p1;
             miss = y[0] - p1;
         }
-        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const float o0 = static_cast<float>(left_o);
         float l1{};
         float l2{};
         float l3{};
-        if (8.0f < o0) {
-            const float r0 = 1.0f / o0;
-            const float r1 = 1.0f / (o0 - 1.0f);
-            const float r2 = 1.0f / (o0 - 2.0f);
-            l1 = ((((120.0f * r0) - 60.0f) * r1) + 12.0f) * r2;
-            l2 = (((-10800.0f) * r0) + 3600.0f) * r1 * r2;
-            l3 = 240000.0f * r0 * r1 * r2;
+        if (o0 > 8.0f) {
+            const float o0f2 = o0 * (o0 - 1.0f);
+            const float r0 = 1.0f / (o0f2 * (o0 - 2.0f));
+            l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+            l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+            l3 = q3_1_ * r0;
         } else if (left_o == 8U) {
             l1 = 1.0f;
-            l2 = 42.857143f;
-            l3 = 1428.5714f;
+            l2 = e0_2_;
+            l3 = e0_3_;
         } else if (left_o == 7U) {
             l1 = 1.0f;
-            l2 = 85.71429f;
-            l3 = -2857.1428f;
+            l2 = e1_2_;
+            l3 = e1_3_;
         } else {
             l1 = 1.0f;
-            l2 = 150.0f;
-            l3 = 10000.0f;
+            l2 = e2_2_;
+            l3 = e2_3_;
         }
         const float x1 = base + (l1 * miss);
         const float x2 = p2 + (l2 * miss);
@@ -199,17 +200,18 @@ public:
 
         // The exact law in samples.
         const float m0 = (elapsed < 37U) ? (static_cast<float>(43U - elapsed)) : 6.0f;
-        const float z1 = ((-1200000.0f) * x1) + (6000.0f * x2);
-        const float z2 = (-6000.0f) * x2;
-        const float z3 = (-12.0f) * (u1_ + d);
-        const float s2 = ((((z1 / m0) + z2) / (m0 - 1.0f)) + z3) / (m0 - 2.0f);
-        v = (s2 + (u1_ + d)) - d;
+        const float z1 = (w1_1_ * x1) + (w1_2_ * x2);
+        const float z2 = w2_2_ * x2;
+        const float z3 = w3_3_ * (u1_ + d);
+        const float m0f2 = m0 * (m0 - 1.0f);
+        const float s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0f));
+        v = (s4 + (u1_ + d)) - d;
         if (!finite(v)) {
             return {0.0f, Status::Range};
         }
         float u_now{};
-        if (elapsed < 40U) {
-            if (1.0f < v) {
+        if (elapsed < samples_) {
+            if (v > 1.0f) {
                 u_now = 1.0f;
             } else if (v < 0.0f) {
                 u_now = 0.0f;
@@ -225,8 +227,8 @@ public:
         x2_hat_ = x2;
         d_hat_ = d;
         seen_ = 1U;
-        if (elapsed < 40U) {
-            if ((1.0f < v) || (v < 0.0f)) {
+        if (elapsed < samples_) {
+            if ((v > 1.0f) || (v < 0.0f)) {
                 return {u_now, Status::Saturated};
             } else {
                 return {u_now, Status::Ok};
@@ -259,6 +261,52 @@ private:
     {
         return (v > 0.0f) ? v : (0.0f - v);
     }
+    /// 1/100, prediction of x1 from x2.
+    static constexpr float phi1_2_{0.01f};
+    /// 1/20000, prediction of x1 from d.
+    static constexpr float phi1_3_{5e-5f};
+    /// 1/20000, prediction from u.
+    static constexpr float gamma1_{5e-5f};
+    /// 1/100, prediction of x2 from d.
+    static constexpr float phi2_3_{0.01f};
+    /// 1/100, prediction from u.
+    static constexpr float gamma2_{0.01f};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{20U};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_1_{120.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_2_{-60.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_3_{12.0f};
+    /// Weight in the observer's gain l2.
+    static constexpr float q2_1_{-10800.0f};
+    /// Weight in the observer's gain l2.
+    static constexpr float q2_2_{3600.0f};
+    /// Weight in the observer's gain l3.
+    static constexpr float q3_1_{240000.0f};
+    /// 300/7, gain of the observer at its end.
+    static constexpr float e0_2_{42.857143f};
+    /// 10000/7, gain of the observer at its end.
+    static constexpr float e0_3_{1428.5714f};
+    /// 600/7, gain of the observer at its end.
+    static constexpr float e1_2_{85.71429f};
+    /// -20000/7, gain of the observer at its end.
+    static constexpr float e1_3_{-2857.1428f};
+    /// Gain of the observer at its end.
+    static constexpr float e2_2_{150.0f};
+    /// Gain of the observer at its end.
+    static constexpr float e2_3_{10000.0f};
+    /// Weight of x1 in the law.
+    static constexpr float w1_1_{-1200000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w1_2_{6000.0f};
+    /// Weight of x2 in the law.
+    static constexpr float w2_2_{-6000.0f};
+    /// Weight of u1 in the law.
+    static constexpr float w3_3_{-12.0f};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{40U};
 
     std::uint32_t start_{}; // tick at which it was armed
     float u1_{}; // input of the last sample

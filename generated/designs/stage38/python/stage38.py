@@ -103,6 +103,53 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/100, prediction of x1 from x2.
+_PHI1_2 = _R(_R(0.009999999776482582))
+# 1/20000, prediction of x1 from d.
+_PHI1_3 = _R(_R(4.999999873689376e-5))
+# 1/20000, prediction from u.
+_GAMMA1 = _R(_R(4.999999873689376e-5))
+# 1/100, prediction of x2 from d.
+_PHI2_3 = _R(_R(0.009999999776482582))
+# 1/100, prediction from u.
+_GAMMA2 = _R(_R(0.009999999776482582))
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 20
+# Weight in the observer's gain l1.
+_Q1_1 = _R(_R(120.0))
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-_R(60.0))
+# Weight in the observer's gain l1.
+_Q1_3 = _R(_R(12.0))
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-_R(10800.0))
+# Weight in the observer's gain l2.
+_Q2_2 = _R(_R(3600.0))
+# Weight in the observer's gain l3.
+_Q3_1 = _R(_R(240000.0))
+# 300/7, gain of the observer at its end.
+_E0_2 = _R(_R(42.85714340209961))
+# 10000/7, gain of the observer at its end.
+_E0_3 = _R(_R(1428.5714111328125))
+# 600/7, gain of the observer at its end.
+_E1_2 = _R(_R(85.71428680419922))
+# -20000/7, gain of the observer at its end.
+_E1_3 = _R(-_R(2857.142822265625))
+# Gain of the observer at its end.
+_E2_2 = _R(_R(150.0))
+# Gain of the observer at its end.
+_E2_3 = _R(_R(10000.0))
+# Weight of x1 in the law.
+_W1_1 = _R(-_R(1200000.0))
+# Weight of x2 in the law.
+_W1_2 = _R(_R(6000.0))
+# Weight of x2 in the law.
+_W2_2 = _R(-_R(6000.0))
+# Weight of u1 in the law.
+_W3_3 = _R(-_R(12.0))
+# Samples from the start to rest.
+_SAMPLES = 40
+
 class Stage38:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -148,9 +195,11 @@ class Stage38:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (_R(0.009999999776482582) * self._x2_hat) + (_R(4.999999873689376e-5) * self._d_hat)
-            p1 = s1 + (_R(4.999999873689376e-5) * self._u2)
-            p2 = self._x2_hat + (_R(0.009999999776482582) * self._d_hat) + (_R(0.009999999776482582) * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
 
             # Correct by what is measured.
@@ -160,42 +209,42 @@ class Stage38:
             else:
                 base = p1
                 miss = y[0] - p1
-            left_o = max(20 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if _R(8.0) < o0:
-                r0 = _R(1.0) / o0
-                r1 = _R(1.0) / (o0 - _R(1.0))
-                r2 = _R(1.0) / (o0 - _R(2.0))
-                l1 = ((((_R(120.0) * r0) - _R(60.0)) * r1) + _R(12.0)) * r2
-                l2 = (((-_R(10800.0)) * r0) + _R(3600.0)) * r1 * r2
-                l3 = _R(240000.0) * r0 * r1 * r2
+            if o0 > _R(8.0):
+                o0f2 = o0 * (o0 - _R(1.0))
+                r0 = _R(1.0) / (o0f2 * (o0 - _R(2.0)))
+                l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l2 = (_Q2_1 + (_Q2_2 * o0)) * r0
+                l3 = _Q3_1 * r0
             elif left_o == 8:
                 l1 = _R(1.0)
-                l2 = _R(42.85714340209961)
-                l3 = _R(1428.5714111328125)
+                l2 = _E0_2
+                l3 = _E0_3
             elif left_o == 7:
                 l1 = _R(1.0)
-                l2 = _R(85.71428680419922)
-                l3 = -_R(2857.142822265625)
+                l2 = _E1_2
+                l3 = _E1_3
             else:
                 l1 = _R(1.0)
-                l2 = _R(150.0)
-                l3 = _R(10000.0)
+                l2 = _E2_2
+                l3 = _E2_3
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             d = p3 + (l3 * miss)
 
             # The exact law in samples.
             m0 = _R((43 - elapsed) & _WRAP) if elapsed < 37 else _R(6.0)
-            z1 = ((-_R(1200000.0)) * x1) + (_R(6000.0) * x2)
-            z2 = (-_R(6000.0)) * x2
-            z3 = (-_R(12.0)) * (self._u1 + d)
-            s2 = ((((z1 / m0) + z2) / (m0 - _R(1.0))) + z3) / (m0 - _R(2.0))
-            v = (s2 + (self._u1 + d)) - d
+            z1 = (_W1_1 * x1) + (_W1_2 * x2)
+            z2 = _W2_2 * x2
+            z3 = _W3_3 * (self._u1 + d)
+            m0f2 = m0 * (m0 - _R(1.0))
+            s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - _R(2.0)))
+            v = (s4 + (self._u1 + d)) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if elapsed < 40:
-                if _R(1.0) < v:
+            if elapsed < _SAMPLES:
+                if v > _R(1.0):
                     u_now = _R(1.0)
                 elif v < _R(0.0):
                     u_now = _R(0.0)
@@ -209,8 +258,8 @@ class Stage38:
             self._x2_hat = x2
             self._d_hat = d
             self._seen = 1
-            if elapsed < 40:
-                if (_R(1.0) < v) or (v < _R(0.0)):
+            if elapsed < _SAMPLES:
+                if (v > _R(1.0)) or (v < _R(0.0)):
                     return Control(u_now, Status.SATURATED)
                 else:
                     return Control(u_now, Status.OK)

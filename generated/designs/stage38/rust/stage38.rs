@@ -152,6 +152,53 @@ pub struct Stage38 {
     clippy::nursery
 )]
 impl Stage38 {
+    /// 1/100, prediction of x1 from x2.
+    const PHI1_2: f32 = 0.01;
+    /// 1/20000, prediction of x1 from d.
+    const PHI1_3: f32 = 5e-5;
+    /// 1/20000, prediction from u.
+    const GAMMA1: f32 = 5e-5;
+    /// 1/100, prediction of x2 from d.
+    const PHI2_3: f32 = 0.01;
+    /// 1/100, prediction from u.
+    const GAMMA2: f32 = 0.01;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 20;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f32 = 120.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f32 = -60.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f32 = 12.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f32 = -10800.0;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f32 = 3600.0;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f32 = 240000.0;
+    /// 300/7, gain of the observer at its end.
+    const E0_2: f32 = 42.857143;
+    /// 10000/7, gain of the observer at its end.
+    const E0_3: f32 = 1428.5714;
+    /// 600/7, gain of the observer at its end.
+    const E1_2: f32 = 85.71429;
+    /// -20000/7, gain of the observer at its end.
+    const E1_3: f32 = -2857.1428;
+    /// Gain of the observer at its end.
+    const E2_2: f32 = 150.0;
+    /// Gain of the observer at its end.
+    const E2_3: f32 = 10000.0;
+    /// Weight of x1 in the law.
+    const W1_1: f32 = -1200000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f32 = 6000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f32 = -6000.0;
+    /// Weight of u1 in the law.
+    const W3_3: f32 = -12.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 40;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -195,9 +242,11 @@ impl Stage38 {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.01 * self.x2_hat) + (5e-5 * self.d_hat);
-        let p1 = s1 + (5e-5 * self.u2);
-        let p2 = self.x2_hat + (0.01 * self.d_hat) + (0.01 * self.u2);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.d_hat);
+        let p1 = s2 + (Self::GAMMA1 * self.u2);
+        let s3 = self.x2_hat + (Self::PHI2_3 * self.d_hat);
+        let p2 = s3 + (Self::GAMMA2 * self.u2);
         let p3 = self.d_hat;
 
         // Correct by what is measured.
@@ -210,30 +259,29 @@ impl Stage38 {
             base = p1;
             miss = y[0] - p1;
         }
-        let left_o = 20_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f32;
         let l1: f32;
         let l2: f32;
         let l3: f32;
-        if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = (((-10800.0) * r0) + 3600.0) * r1 * r2;
-            l3 = 240000.0 * r0 * r1 * r2;
+        if o0 > 8.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+            l2 = (Self::Q2_1 + (Self::Q2_2 * o0)) * r0;
+            l3 = Self::Q3_1 * r0;
         } else if left_o == 8 {
             l1 = 1.0;
-            l2 = 42.857143;
-            l3 = 1428.5714;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
         } else if left_o == 7 {
             l1 = 1.0;
-            l2 = 85.71429;
-            l3 = -2857.1428;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
         } else {
             l1 = 1.0;
-            l2 = 150.0;
-            l3 = 10000.0;
+            l2 = Self::E2_2;
+            l3 = Self::E2_3;
         }
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
@@ -246,17 +294,18 @@ impl Stage38 {
         } else {
             6.0
         };
-        let z1 = ((-1200000.0) * x1) + (6000.0 * x2);
-        let z2 = (-6000.0) * x2;
-        let z3 = (-12.0) * (self.u1 + d);
-        let s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-        v = (s2 + (self.u1 + d)) - d;
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2);
+        let z2 = Self::W2_2 * x2;
+        let z3 = Self::W3_3 * (self.u1 + d);
+        let m0f2 = m0 * (m0 - 1.0);
+        let s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
+        v = (s4 + (self.u1 + d)) - d;
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f32;
-        if elapsed < 40 {
-            if 1.0 < v {
+        if elapsed < Self::SAMPLES {
+            if v > 1.0 {
                 u_now = 1.0;
             } else if v < 0.0 {
                 u_now = 0.0;
@@ -272,8 +321,8 @@ impl Stage38 {
         self.x2_hat = x2;
         self.d_hat = d;
         self.seen = 1;
-        let status = if elapsed < 40 {
-            if (1.0 < v) || (v < 0.0) {
+        let status = if elapsed < Self::SAMPLES {
+            if (v > 1.0) || (v < 0.0) {
                 Status::Saturated
             } else {
                 Status::Ok

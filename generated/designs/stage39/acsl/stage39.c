@@ -32,32 +32,34 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE39_U_MIN 0.3333333333333333 /* 1/3, lower limit of u */
 ptc_status stage39_init(stage39 *self, const stage39_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((0U < params->samples)
+        if ((params->samples > 0U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)
-            && (0.3333333333333333 < params->u_max)) {
+            && (params->deadbeat >= 0.0)
+            && (params->u_max > 0.3333333333333333)) {
             const uint32_t samples = params->samples;
             const double s1 = (params->k[0] / params->a) + 1.0;
             const double s2 = (s1 < 2.0) ? 2.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double w1_1 = (-(params->k[0] / params->a)) * (1.0 / params->h);
             const double b_1 = -(1.0 / params->h);
             const double u_max = params->u_max;
             if (PTC_FINITE_F64(deadbeat)
                 && PTC_FINITE_F64(w1_1)
                 && PTC_FINITE_F64(b_1)
-                && (1e-200 <= params->h)
-                && (1e-200 <= 1.0 / params->h)) {
+                && (params->h >= 1e-200)
+                && (1.0 / params->h >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->deadbeat = deadbeat;
@@ -89,7 +91,7 @@ ptc_status stage39_step(const stage39 *self, uint32_t k, const double x[1], doub
     const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
     const double m0 = (double)left;
     double v;
-    if (self->deadbeat < m0) {
+    if (m0 > self->deadbeat) {
         /* The exact law in samples. */
         const double z1 = self->w1_1 * x1;
         v = z1 / m0;
@@ -98,11 +100,11 @@ ptc_status stage39_step(const stage39 *self, uint32_t k, const double x[1], doub
         v = self->b_1 * x1;
     }
     if (PTC_FINITE_F64(v)) {
-        if (self->u_max < v) {
+        if (v > self->u_max) {
             *u = self->u_max;
             status = PTC_SATURATED;
-        } else if (v < 0.3333333333333333) {
-            *u = 0.3333333333333333;
+        } else if (v < STAGE39_U_MIN) {
+            *u = STAGE39_U_MIN;
             status = PTC_SATURATED;
         } else if (elapsed < self->samples) {
             *u = v;

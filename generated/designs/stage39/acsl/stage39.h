@@ -38,8 +38,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE39_DF2502B6_H
-#define STAGE39_DF2502B6_H
+#ifndef STAGE39_21C67C7E_H
+#define STAGE39_21C67C7E_H
 
 #include <stdint.h>
 
@@ -80,8 +80,8 @@ typedef struct stage39 {
     uint32_t start; /* tick at which it was armed */
     uint32_t samples; /* samples from the start to rest */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double b_1; /* weight of x1 in the law */
     double u_max; /* upper limit of u */
 } stage39;
 

@@ -38,8 +38,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE39_860EE944_HPP
-#define STAGE39_860EE944_HPP
+#ifndef STAGE39_0A788557_HPP
+#define STAGE39_0A788557_HPP
 
 #include <array>
 #include <cfloat>
@@ -117,29 +117,29 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((0U < params.samples)
+        if (!((params.samples > 0U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
                 && (1e-150 <= params.a)
                 && (params.a <= 1e150)
                 && finite(params.k[0])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat)
-                && (0.3333333333333333 < params.u_max))) {
+                && (params.deadbeat >= 0.0)
+                && (params.u_max > 0.3333333333333333))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const double s1 = (params.k[0] / params.a) + 1.0;
         const double s2 = (s1 < 2.0) ? 2.0 : s1;
-        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double w1_1 = (-(params.k[0] / params.a)) * (1.0 / params.h);
         const double b_1 = -(1.0 / params.h);
         const double u_max = params.u_max;
         if (!(finite(deadbeat)
                 && finite(w1_1)
                 && finite(b_1)
-                && (1e-200 <= params.h)
-                && (1e-200 <= 1.0 / params.h))) {
+                && (params.h >= 1e-200)
+                && (1.0 / params.h >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -166,7 +166,7 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = static_cast<double>(left);
         double v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double z1 = w1_1_ * x1;
             v = z1 / m0;
@@ -175,10 +175,10 @@ public:
             v = b_1_ * x1;
         }
         if (finite(v)) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 return {u_max_, Status::Saturated};
-            } else if (v < 0.3333333333333333) {
-                return {0.3333333333333333, Status::Saturated};
+            } else if (v < u_min_) {
+                return {u_min_, Status::Saturated};
             } else if (elapsed < samples_) {
                 return {v, Status::Ok};
             } else {
@@ -195,12 +195,14 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// 1/3, lower limit of u.
+    static constexpr double u_min_{0.3333333333333333};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     double deadbeat_{}; // samples to go at which deadbeat takes over
-    double w1_1_{}; // weight of a state in the law
-    double b_1_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double b_1_{}; // weight of x1 in the law
     double u_max_{}; // upper limit of u
 };
 

@@ -64,7 +64,7 @@ if numel(params.k) ~= 1
     error('stage39:param', 'params.k has %d numbers; legal: 1', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(0) < given.samples)
+if ~(given.samples > uint32(0))
     error('stage39:param', 'params.samples is %g; legal: >= 1', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
@@ -76,26 +76,26 @@ end
 if ~isfinite(given.k(1))
     error('stage39:param', 'params.k(1) is %g; legal: finite', params.k(1));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage39:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
-if ~(0.3333333333333333 < given.u_max)
+if ~(given.u_max > 0.3333333333333333)
     error('stage39:param', 'params.u_max is %g; legal: > 0.3333333333333333', params.u_max);
 end
 samples = given.samples;
 s1 = (given.k(1) / given.a) + 1.0;
 s2 = pick(s1 < 2.0, 2.0, s1);
-deadbeat = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 w1_1 = (-(given.k(1) / given.a)) * (1.0 / given.h);
 b_1 = -(1.0 / given.h);
 u_max = given.u_max;
 if ~(isfinite(deadbeat) && isfinite(w1_1) && isfinite(b_1))
     error('stage39:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
-if ~(1e-200 <= given.h)
+if ~(given.h >= 1e-200)
     error('stage39:param', 'params.h is %g; legal: >= 1e-200', params.h);
 end
-if ~(1e-200 <= 1.0 / given.h)
+if ~(1.0 / given.h >= 1e-200)
     error('stage39:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

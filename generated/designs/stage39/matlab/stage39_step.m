@@ -12,6 +12,7 @@ function [u, status] = stage39_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+u_min = 0.3333333333333333; % 1/3, lower limit of u
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -24,7 +25,7 @@ elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 x1 = x(1);
 left = self.samples - elapsed;
 m0 = double(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     z1 = self.w1_1 * x1;
     v = z1 / m0;
@@ -33,11 +34,11 @@ else
     v = self.b_1 * x1;
 end
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
-    elseif v < 0.3333333333333333
-        u = 0.3333333333333333;
+    elseif v < u_min
+        u = u_min;
         status = int32(2);
     elseif elapsed < self.samples
         u = v;

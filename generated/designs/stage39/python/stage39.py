@@ -111,6 +111,9 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/3, lower limit of u.
+_U_MIN = _R(0.3333333333333333)
+
 class Stage39:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -127,7 +130,7 @@ class Stage39:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 1, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (0 < given_samples):
+            if not (given_samples > 0):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 1")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
@@ -135,22 +138,22 @@ class Stage39:
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
-            if not (0.3333333333333333 < given_u_max):
+            if not (given_u_max > 0.3333333333333333):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0.3333333333333333")
             samples = given_samples
             s1 = (given_k[0] / given_a) + 1.0
             s2 = max(s1, _R(2.0))
-            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > 0.0 else s2
             w1_1 = (-(given_k[0] / given_a)) * (1.0 / given_h)
             b_1 = -(1.0 / given_h)
             u_max = given_u_max
             if not (np.isfinite(deadbeat) and np.isfinite(w1_1) and np.isfinite(b_1)):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
-            if not (1e-200 <= given_h):
+            if not (given_h >= 1e-200):
                 raise ValueError(f"params.h is {params.h}; legal: >= 1e-200")
-            if not (1e-200 <= 1.0 / given_h):
+            if not (1.0 / given_h >= 1e-200):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
             self._samples = samples
@@ -176,7 +179,7 @@ class Stage39:
             x1 = x[0]
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = self._w1_1 * x1
                 v = z1 / m0
@@ -184,10 +187,10 @@ class Stage39:
                 # Deadbeat.
                 v = self._b_1 * x1
             if np.isfinite(v):
-                if self._u_max < v:
+                if v > self._u_max:
                     return Control(self._u_max, Status.SATURATED)
-                elif v < 0.3333333333333333:
-                    return Control(_R(0.3333333333333333), Status.SATURATED)
+                elif v < _U_MIN:
+                    return Control(_U_MIN, Status.SATURATED)
                 elif elapsed < self._samples:
                     return Control(v, Status.OK)
                 else:

@@ -33,6 +33,31 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE40_PHI1_2 0.001 /* 1/1000, prediction of x1 from x2 */
+#define STAGE40_PHI1_3 5e-7 /* 1/2000000, prediction of x1 from d */
+#define STAGE40_GAMMA1 5e-7 /* 1/2000000, prediction from u */
+#define STAGE40_PHI2_3 0.001 /* 1/1000, prediction of x2 from d */
+#define STAGE40_GAMMA2 0.001 /* 1/1000, prediction from u */
+#define STAGE40_OBSERVER_SAMPLES 20U /* samples of the round of the observer */
+#define STAGE40_Q1_1 120.0 /* weight in the observer's gain l1 */
+#define STAGE40_Q1_2 (-60.0) /* weight in the observer's gain l1 */
+#define STAGE40_Q1_3 12.0 /* weight in the observer's gain l1 */
+#define STAGE40_Q2_1 (-108000.0) /* weight in the observer's gain l2 */
+#define STAGE40_Q2_2 36000.0 /* weight in the observer's gain l2 */
+#define STAGE40_Q3_1 24000000.0 /* weight in the observer's gain l3 */
+#define STAGE40_E0_2 428.57142857142856 /* 3000/7, gain of the observer at its end */
+#define STAGE40_E0_3 142857.14285714287 /* 1000000/7, gain of the observer at its end */
+#define STAGE40_E1_2 857.1428571428571 /* 6000/7, gain of the observer at its end */
+#define STAGE40_E1_3 (-285714.28571428574) /* -2000000/7, gain of the observer at its end */
+#define STAGE40_E2_2 1500.0 /* gain of the observer at its end */
+#define STAGE40_E2_3 1000000.0 /* gain of the observer at its end */
+#define STAGE40_W1_1 (-120000000.0) /* weight of x1 in the law */
+#define STAGE40_W1_2 60000.0 /* weight of x2 in the law */
+#define STAGE40_W2_2 (-60000.0) /* weight of x2 in the law */
+#define STAGE40_W3_3 (-12.0) /* weight of u1 in the law */
+#define STAGE40_U_MAX 6.0 /* bound of |u| */
+#define STAGE40_SAMPLES 40U /* samples from the start to rest */
 ptc_status stage40_init(stage40 *self, const stage40_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -60,7 +85,7 @@ ptc_status stage40_arm(stage40 *self, uint32_t k)
     if (self != NULL) {
         self->start = k;
         const double size = fabs(self->x1_hat) + fabs(self->x2_hat) + fabs(self->d_hat);
-        if (!((1U < self->trust) && (size <= 1e150))) {
+        if (!((self->trust > 1U) && (size <= 1e150))) {
             self->seen = 0U;
             self->x1_hat = 0.0;
             self->x2_hat = 0.0;
@@ -83,9 +108,11 @@ ptc_status stage40_step(stage40 *self, uint32_t k, const double y[1], const doub
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
-            const double s1 = self->x1_hat + (0.001 * self->x2_hat) + (5e-7 * self->d_hat);
-            const double p1 = s1 + (5e-7 * self->u2);
-            const double p2 = self->x2_hat + (0.001 * self->d_hat) + (0.001 * self->u2);
+            const double s1 = self->x1_hat + (STAGE40_PHI1_2 * self->x2_hat);
+            const double s2 = s1 + (STAGE40_PHI1_3 * self->d_hat);
+            const double p1 = s2 + (STAGE40_GAMMA1 * self->u2);
+            const double s3 = self->x2_hat + (STAGE40_PHI2_3 * self->d_hat);
+            const double p2 = s3 + (STAGE40_GAMMA2 * self->u2);
             const double p3 = self->d_hat;
 
             /* Correct by what is measured, where it is believed. */
@@ -107,31 +134,30 @@ ptc_status stage40_step(stage40 *self, uint32_t k, const double y[1], const doub
                 miss = 0.0;
                 trust = (1U < self->trust) ? (self->trust - 1U) : 0U;
             }
-            if (0U < trust) {
-                const uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+            if (trust > 0U) {
+                const uint32_t left_o = (elapsed < STAGE40_OBSERVER_SAMPLES) ? (STAGE40_OBSERVER_SAMPLES - elapsed) : 0U;
                 const double o0 = (double)left_o;
                 double l1;
                 double l2;
                 double l3;
-                if (8.0 < o0) {
-                    const double r0 = 1.0 / o0;
-                    const double r1 = 1.0 / (o0 - 1.0);
-                    const double r2 = 1.0 / (o0 - 2.0);
-                    l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-                    l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-                    l3 = 24000000.0 * r0 * r1 * r2;
+                if (o0 > 8.0) {
+                    const double o0f2 = o0 * (o0 - 1.0);
+                    const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+                    l1 = (STAGE40_Q1_1 + (STAGE40_Q1_2 * o0) + (STAGE40_Q1_3 * o0f2)) * r0;
+                    l2 = (STAGE40_Q2_1 + (STAGE40_Q2_2 * o0)) * r0;
+                    l3 = STAGE40_Q3_1 * r0;
                 } else if (left_o == 8U) {
                     l1 = 1.0;
-                    l2 = 428.57142857142856;
-                    l3 = 142857.14285714287;
+                    l2 = STAGE40_E0_2;
+                    l3 = STAGE40_E0_3;
                 } else if (left_o == 7U) {
                     l1 = 1.0;
-                    l2 = 857.1428571428571;
-                    l3 = -285714.28571428574;
+                    l2 = STAGE40_E1_2;
+                    l3 = STAGE40_E1_3;
                 } else {
                     l1 = 1.0;
-                    l2 = 1500.0;
-                    l3 = 1000000.0;
+                    l2 = STAGE40_E2_2;
+                    l3 = STAGE40_E2_3;
                 }
                 const double x1 = base + (l1 * miss);
                 const double x2 = p2 + (l2 * miss);
@@ -144,18 +170,19 @@ ptc_status stage40_step(stage40 *self, uint32_t k, const double y[1], const doub
 
                 /* The exact law in samples. */
                 const double m0 = (elapsed < 37U) ? ((double)(43U - elapsed)) : 6.0;
-                const double z1 = ((-120000000.0) * e1) + (60000.0 * e2);
-                const double z2 = (-60000.0) * e2;
-                const double z3 = (-12.0) * ((self->u1 + d) - self->rho1);
-                const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-                v = ((s2 + ((self->u1 + d) - self->rho1)) - d) + r[2];
+                const double z1 = (STAGE40_W1_1 * e1) + (STAGE40_W1_2 * e2);
+                const double z2 = STAGE40_W2_2 * e2;
+                const double z3 = STAGE40_W3_3 * ((self->u1 + d) - self->rho1);
+                const double m0f2 = m0 * (m0 - 1.0);
+                const double s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
+                v = ((s4 + ((self->u1 + d) - self->rho1)) - d) + r[2];
                 status = PTC_E_RANGE;
                 if (PTC_FINITE_F64(v)) {
                     double u_now;
-                    if (6.0 < v) {
-                        u_now = 6.0;
-                    } else if (v < -6.0) {
-                        u_now = -6.0;
+                    if (v > STAGE40_U_MAX) {
+                        u_now = STAGE40_U_MAX;
+                    } else if (v < -STAGE40_U_MAX) {
+                        u_now = -STAGE40_U_MAX;
                     } else {
                         u_now = v;
                     }
@@ -170,9 +197,9 @@ ptc_status stage40_step(stage40 *self, uint32_t k, const double y[1], const doub
                     *u = u_now;
                     if (trust < 3U) {
                         status = PTC_GATED;
-                    } else if ((6.0 < v) || (v < -6.0)) {
+                    } else if ((v > STAGE40_U_MAX) || (v < -STAGE40_U_MAX)) {
                         status = PTC_SATURATED;
-                    } else if (elapsed < 40U) {
+                    } else if (elapsed < STAGE40_SAMPLES) {
                         status = PTC_OK;
                     } else {
                         status = PTC_HOLD;

@@ -55,8 +55,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE40_CF1F5E1F_HPP
-#define STAGE40_CF1F5E1F_HPP
+#ifndef STAGE40_C7863E3A_HPP
+#define STAGE40_C7863E3A_HPP
 
 #include <array>
 #include <cfloat>
@@ -147,7 +147,7 @@ public:
     {
         start_ = k;
         const double size = absolute(x1_hat_) + absolute(x2_hat_) + absolute(d_hat_);
-        if (!((1U < trust_) && (size <= 1e150))) {
+        if (!((trust_ > 1U) && (size <= 1e150))) {
             seen_ = 0U;
             x1_hat_ = 0.0;
             x2_hat_ = 0.0;
@@ -166,9 +166,11 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const double s1 = x1_hat_ + (0.001 * x2_hat_) + (5e-7 * d_hat_);
-        const double p1 = s1 + (5e-7 * u2_);
-        const double p2 = x2_hat_ + (0.001 * d_hat_) + (0.001 * u2_);
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double s2 = s1 + (phi1_3_ * d_hat_);
+        const double p1 = s2 + (gamma1_ * u2_);
+        const double s3 = x2_hat_ + (phi2_3_ * d_hat_);
+        const double p2 = s3 + (gamma2_ * u2_);
         const double p3 = d_hat_;
 
         // Correct by what is measured, where it is believed.
@@ -190,33 +192,32 @@ public:
             miss = 0.0;
             trust = (1U < trust_) ? (trust_ - 1U) : 0U;
         }
-        if (!(0U < trust)) {
+        if (!(trust > 0U)) {
             return {0.0, Status::Input};
         }
-        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
-        if (8.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-            l3 = 24000000.0 * r0 * r1 * r2;
+        if (o0 > 8.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+            l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+            l3 = q3_1_ * r0;
         } else if (left_o == 8U) {
             l1 = 1.0;
-            l2 = 428.57142857142856;
-            l3 = 142857.14285714287;
+            l2 = e0_2_;
+            l3 = e0_3_;
         } else if (left_o == 7U) {
             l1 = 1.0;
-            l2 = 857.1428571428571;
-            l3 = -285714.28571428574;
+            l2 = e1_2_;
+            l3 = e1_3_;
         } else {
             l1 = 1.0;
-            l2 = 1500.0;
-            l3 = 1000000.0;
+            l2 = e2_2_;
+            l3 = e2_3_;
         }
         const double x1 = base + (l1 * miss);
         const double x2 = p2 + (l2 * miss);
@@ -229,19 +230,20 @@ public:
 
         // The exact law in samples.
         const double m0 = (elapsed < 37U) ? (static_cast<double>(43U - elapsed)) : 6.0;
-        const double z1 = ((-120000000.0) * e1) + (60000.0 * e2);
-        const double z2 = (-60000.0) * e2;
-        const double z3 = (-12.0) * ((u1_ + d) - rho1_);
-        const double s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-        v = ((s2 + ((u1_ + d) - rho1_)) - d) + r[2];
+        const double z1 = (w1_1_ * e1) + (w1_2_ * e2);
+        const double z2 = w2_2_ * e2;
+        const double z3 = w3_3_ * ((u1_ + d) - rho1_);
+        const double m0f2 = m0 * (m0 - 1.0);
+        const double s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
+        v = ((s4 + ((u1_ + d) - rho1_)) - d) + r[2];
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (6.0 < v) {
-            u_now = 6.0;
-        } else if (v < -6.0) {
-            u_now = -6.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -255,9 +257,9 @@ public:
         trust_ = trust;
         if (trust < 3U) {
             return {u_now, Status::Gated};
-        } else if ((6.0 < v) || (v < -6.0)) {
+        } else if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (elapsed < 40U) {
+        } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
         } else {
             return {u_now, Status::Hold};
@@ -287,6 +289,54 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// 1/1000, prediction of x1 from x2.
+    static constexpr double phi1_2_{0.001};
+    /// 1/2000000, prediction of x1 from d.
+    static constexpr double phi1_3_{5e-7};
+    /// 1/2000000, prediction from u.
+    static constexpr double gamma1_{5e-7};
+    /// 1/1000, prediction of x2 from d.
+    static constexpr double phi2_3_{0.001};
+    /// 1/1000, prediction from u.
+    static constexpr double gamma2_{0.001};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{20U};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{120.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-60.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{12.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{-108000.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{36000.0};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{24000000.0};
+    /// 3000/7, gain of the observer at its end.
+    static constexpr double e0_2_{428.57142857142856};
+    /// 1000000/7, gain of the observer at its end.
+    static constexpr double e0_3_{142857.14285714287};
+    /// 6000/7, gain of the observer at its end.
+    static constexpr double e1_2_{857.1428571428571};
+    /// -2000000/7, gain of the observer at its end.
+    static constexpr double e1_3_{-285714.28571428574};
+    /// Gain of the observer at its end.
+    static constexpr double e2_2_{1500.0};
+    /// Gain of the observer at its end.
+    static constexpr double e2_3_{1000000.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-120000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{60000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-60000.0};
+    /// Weight of u1 in the law.
+    static constexpr double w3_3_{-12.0};
+    /// Bound of |u|.
+    static constexpr double u_max_{6.0};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{40U};
 
     std::uint32_t start_{}; // tick at which it was armed
     double u1_{}; // input of the last sample

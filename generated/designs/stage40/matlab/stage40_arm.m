@@ -13,7 +13,7 @@ end
 k = uint32(mod(k, 4294967296));
 self.start = k;
 size = abs(self.x1_hat) + abs(self.x2_hat) + abs(self.d_hat);
-if ~((uint32(1) < self.trust) && (size <= 1e150))
+if ~((self.trust > uint32(1)) && (size <= 1e150))
     self.seen = uint32(0);
     self.x1_hat = 0.0;
     self.x2_hat = 0.0;

@@ -114,6 +114,55 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/1000, prediction of x1 from x2.
+_PHI1_2 = _R(0.001)
+# 1/2000000, prediction of x1 from d.
+_PHI1_3 = _R(5e-7)
+# 1/2000000, prediction from u.
+_GAMMA1 = _R(5e-7)
+# 1/1000, prediction of x2 from d.
+_PHI2_3 = _R(0.001)
+# 1/1000, prediction from u.
+_GAMMA2 = _R(0.001)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 20
+# Weight in the observer's gain l1.
+_Q1_1 = _R(120.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-60.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-108000.0)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(36000.0)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(24000000.0)
+# 3000/7, gain of the observer at its end.
+_E0_2 = _R(428.57142857142856)
+# 1000000/7, gain of the observer at its end.
+_E0_3 = _R(142857.14285714287)
+# 6000/7, gain of the observer at its end.
+_E1_2 = _R(857.1428571428571)
+# -2000000/7, gain of the observer at its end.
+_E1_3 = _R(-285714.28571428574)
+# Gain of the observer at its end.
+_E2_2 = _R(1500.0)
+# Gain of the observer at its end.
+_E2_3 = _R(1000000.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-120000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(60000.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-60000.0)
+# Weight of u1 in the law.
+_W3_3 = _R(-12.0)
+# Bound of |u|.
+_U_MAX = _R(6.0)
+# Samples from the start to rest.
+_SAMPLES = 40
+
 class Stage40:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -142,7 +191,7 @@ class Stage40:
         k = k.__index__() & _WRAP
         self._start = k
         size = np.abs(self._x1_hat) + np.abs(self._x2_hat) + np.abs(self._d_hat)
-        if not ((1 < self._trust) and (size <= 1e150)):
+        if not ((self._trust > 1) and (size <= 1e150)):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x2_hat = _R(0.0)
@@ -163,9 +212,11 @@ class Stage40:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (0.001 * self._x2_hat) + (5e-7 * self._d_hat)
-            p1 = s1 + (5e-7 * self._u2)
-            p2 = self._x2_hat + (0.001 * self._d_hat) + (0.001 * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
 
             # Correct by what is measured, where it is believed.
@@ -181,29 +232,28 @@ class Stage40:
             else:
                 miss = _R(0.0)
                 trust = max(self._trust - 1, 0)
-            if not (0 < trust):
+            if not (trust > 0):
                 return Control(_R(0.0), Status.INPUT)
-            left_o = max(20 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if 8.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
-                l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2
-                l3 = 24000000.0 * r0 * r1 * r2
+            if o0 > 8.0:
+                o0f2 = o0 * (o0 - 1.0)
+                r0 = 1.0 / (o0f2 * (o0 - 2.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l2 = (_Q2_1 + (_Q2_2 * o0)) * r0
+                l3 = _Q3_1 * r0
             elif left_o == 8:
                 l1 = _R(1.0)
-                l2 = _R(428.57142857142856)
-                l3 = _R(142857.14285714287)
+                l2 = _E0_2
+                l3 = _E0_3
             elif left_o == 7:
                 l1 = _R(1.0)
-                l2 = _R(857.1428571428571)
-                l3 = _R(-285714.28571428574)
+                l2 = _E1_2
+                l3 = _E1_3
             else:
                 l1 = _R(1.0)
-                l2 = _R(1500.0)
-                l3 = _R(1000000.0)
+                l2 = _E2_2
+                l3 = _E2_3
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             d = p3 + (l3 * miss)
@@ -214,17 +264,18 @@ class Stage40:
 
             # The exact law in samples.
             m0 = _R((43 - elapsed) & _WRAP) if elapsed < 37 else _R(6.0)
-            z1 = ((-120000000.0) * e1) + (60000.0 * e2)
-            z2 = (-60000.0) * e2
-            z3 = (-12.0) * ((self._u1 + d) - self._rho1)
-            s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)
-            v = ((s2 + ((self._u1 + d) - self._rho1)) - d) + r[2]
+            z1 = (_W1_1 * e1) + (_W1_2 * e2)
+            z2 = _W2_2 * e2
+            z3 = _W3_3 * ((self._u1 + d) - self._rho1)
+            m0f2 = m0 * (m0 - 1.0)
+            s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))
+            v = ((s4 + ((self._u1 + d) - self._rho1)) - d) + r[2]
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if 6.0 < v:
-                u_now = _R(6.0)
-            elif v < -6.0:
-                u_now = _R(-6.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -237,9 +288,9 @@ class Stage40:
             self._trust = trust
             if trust < 3:
                 return Control(u_now, Status.GATED)
-            elif (6.0 < v) or (v < -6.0):
+            elif (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif elapsed < 40:
+            elif elapsed < _SAMPLES:
                 return Control(u_now, Status.OK)
             else:
                 return Control(u_now, Status.HOLD)

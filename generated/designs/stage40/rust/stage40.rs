@@ -167,6 +167,55 @@ pub struct Stage40 {
     clippy::nursery
 )]
 impl Stage40 {
+    /// 1/1000, prediction of x1 from x2.
+    const PHI1_2: f64 = 0.001;
+    /// 1/2000000, prediction of x1 from d.
+    const PHI1_3: f64 = 5e-7;
+    /// 1/2000000, prediction from u.
+    const GAMMA1: f64 = 5e-7;
+    /// 1/1000, prediction of x2 from d.
+    const PHI2_3: f64 = 0.001;
+    /// 1/1000, prediction from u.
+    const GAMMA2: f64 = 0.001;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 20;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 120.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -60.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 12.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = -108000.0;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = 36000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = 24000000.0;
+    /// 3000/7, gain of the observer at its end.
+    const E0_2: f64 = 428.57142857142856;
+    /// 1000000/7, gain of the observer at its end.
+    const E0_3: f64 = 142857.14285714287;
+    /// 6000/7, gain of the observer at its end.
+    const E1_2: f64 = 857.1428571428571;
+    /// -2000000/7, gain of the observer at its end.
+    const E1_3: f64 = -285714.28571428574;
+    /// Gain of the observer at its end.
+    const E2_2: f64 = 1500.0;
+    /// Gain of the observer at its end.
+    const E2_3: f64 = 1000000.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -120000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 60000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -60000.0;
+    /// Weight of u1 in the law.
+    const W3_3: f64 = -12.0;
+    /// Bound of |u|.
+    const U_MAX: f64 = 6.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 40;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -192,7 +241,7 @@ impl Stage40 {
     pub fn arm(&mut self, k: u32) {
         self.start = k;
         let size = (self.x1_hat).abs() + (self.x2_hat).abs() + (self.d_hat).abs();
-        if !((1 < self.trust) && (size <= 1e150)) {
+        if !((self.trust > 1) && (size <= 1e150)) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x2_hat = 0.0;
@@ -213,9 +262,11 @@ impl Stage40 {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.001 * self.x2_hat) + (5e-7 * self.d_hat);
-        let p1 = s1 + (5e-7 * self.u2);
-        let p2 = self.x2_hat + (0.001 * self.d_hat) + (0.001 * self.u2);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.d_hat);
+        let p1 = s2 + (Self::GAMMA1 * self.u2);
+        let s3 = self.x2_hat + (Self::PHI2_3 * self.d_hat);
+        let p2 = s3 + (Self::GAMMA2 * self.u2);
         let p3 = self.d_hat;
 
         // Correct by what is measured, where it is believed.
@@ -237,33 +288,32 @@ impl Stage40 {
             miss = 0.0;
             trust = self.trust.saturating_sub(1);
         }
-        if !(0 < trust) {
+        if !(trust > 0) {
             return Err(Error::Input);
         }
-        let left_o = 20_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = (((-108000.0) * r0) + 36000.0) * r1 * r2;
-            l3 = 24000000.0 * r0 * r1 * r2;
+        if o0 > 8.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+            l2 = (Self::Q2_1 + (Self::Q2_2 * o0)) * r0;
+            l3 = Self::Q3_1 * r0;
         } else if left_o == 8 {
             l1 = 1.0;
-            l2 = 428.57142857142856;
-            l3 = 142857.14285714287;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
         } else if left_o == 7 {
             l1 = 1.0;
-            l2 = 857.1428571428571;
-            l3 = -285714.28571428574;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
         } else {
             l1 = 1.0;
-            l2 = 1500.0;
-            l3 = 1000000.0;
+            l2 = Self::E2_2;
+            l3 = Self::E2_3;
         }
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
@@ -280,19 +330,20 @@ impl Stage40 {
         } else {
             6.0
         };
-        let z1 = ((-120000000.0) * e1) + (60000.0 * e2);
-        let z2 = (-60000.0) * e2;
-        let z3 = (-12.0) * ((self.u1 + d) - self.rho1);
-        let s2 = ((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0);
-        v = ((s2 + ((self.u1 + d) - self.rho1)) - d) + r[2];
+        let z1 = (Self::W1_1 * e1) + (Self::W1_2 * e2);
+        let z2 = Self::W2_2 * e2;
+        let z3 = Self::W3_3 * ((self.u1 + d) - self.rho1);
+        let m0f2 = m0 * (m0 - 1.0);
+        let s4 = (z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0));
+        v = ((s4 + ((self.u1 + d) - self.rho1)) - d) + r[2];
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 6.0 < v {
-            u_now = 6.0;
-        } else if v < -6.0 {
-            u_now = -6.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -306,9 +357,9 @@ impl Stage40 {
         self.trust = trust;
         let status = if trust < 3 {
             Status::Gated
-        } else if (6.0 < v) || (v < -6.0) {
+        } else if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if elapsed < 40 {
+        } else if elapsed < Self::SAMPLES {
             Status::Ok
         } else {
             Status::Hold

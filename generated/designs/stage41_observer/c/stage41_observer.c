@@ -33,6 +33,35 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE41_OBSERVER_GAMMA1 0.00010803832f /* prediction from u */
+#define STAGE41_OBSERVER_GAMMA2 0.030892799f /* prediction from u */
+#define STAGE41_OBSERVER_GAMMA3 0.37459216f /* prediction from u */
+#define STAGE41_OBSERVER_OBSERVER_SAMPLES 20U /* samples of the round of the observer */
+#define STAGE41_OBSERVER_Q1_1_1 (-8.0f) /* weight in the observer's gain l1_1 */
+#define STAGE41_OBSERVER_Q1_1_2 8.0f /* weight in the observer's gain l1_1 */
+#define STAGE41_OBSERVER_Q1_2_1 1218.3761f /* weight in the observer's gain l1_2 */
+#define STAGE41_OBSERVER_Q1_2_2 (-11.457022f) /* weight in the observer's gain l1_2 */
+#define STAGE41_OBSERVER_Q1_3_1 90.17191f /* weight in the observer's gain l1_3 */
+#define STAGE41_OBSERVER_Q1_3_2 (-90.17191f) /* weight in the observer's gain l1_3 */
+#define STAGE41_OBSERVER_Q2_2_1 (-0.37285107f) /* weight in the observer's gain l2_2 */
+#define STAGE41_OBSERVER_Q2_3_1 6.0f /* weight in the observer's gain l2_3 */
+#define STAGE41_OBSERVER_E0_1_1 1.1216538f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E0_1_2 11.488578f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E0_1_3 (-7.5500894f) /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E0_2_2 0.05081172f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E0_2_3 0.5481857f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E1_1_1 1.9787967f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E1_1_2 96.46954f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E1_1_3 (-17.211365f) /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E1_2_2 0.05081172f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_E1_2_3 0.5481857f /* gain of the observer at its end */
+#define STAGE41_OBSERVER_PHI1_2 0.009942672f /* prediction of x1 from x2 */
+#define STAGE41_OBSERVER_PHI1_3 0.000617856f /* prediction of x1 from x3 */
+#define STAGE41_OBSERVER_PHI2_2 0.9857608f /* prediction of x2 from x2 */
+#define STAGE41_OBSERVER_PHI2_3 0.11206872f /* prediction of x2 from x3 */
+#define STAGE41_OBSERVER_PHI3_2 (-0.11206872f) /* prediction of x3 from x2 */
+#define STAGE41_OBSERVER_PHI3_3 0.54122156f /* prediction of x3 from x3 */
 ptc_status stage41_observer_init(stage41_observer *self, const stage41_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -61,7 +90,7 @@ ptc_status stage41_observer_arm(stage41_observer *self, uint32_t k)
         self->start = k;
         const float s1 = fabsf(self->x1_next) + fabsf(self->x2_next);
         const float size = s1 + fabsf(self->x3_next);
-        if (!((1U < self->trust) && (size <= 1e18f))) {
+        if (!((self->trust > 1U) && (size <= 1e18f))) {
             self->seen = 0U;
             self->x1_hat = 0.0f;
             self->x1_next = 0.0f;
@@ -92,9 +121,9 @@ ptc_status stage41_observer_update(stage41_observer *self, uint32_t k, const flo
                 x2 = 0.0f;
                 x3 = y[1];
             } else {
-                x1 = self->x1_next + (0.00010803832f * u);
-                x2 = self->x2_next + (0.030892799f * u);
-                x3 = self->x3_next + (0.37459216f * u);
+                x1 = self->x1_next + (STAGE41_OBSERVER_GAMMA1 * u);
+                x2 = self->x2_next + (STAGE41_OBSERVER_GAMMA2 * u);
+                x3 = self->x3_next + (STAGE41_OBSERVER_GAMMA3 * u);
             }
 
             /* Prediction of the next sample. */
@@ -115,10 +144,10 @@ ptc_status stage41_observer_update(stage41_observer *self, uint32_t k, const flo
                 miss2 = 0.0f;
                 trust = (1U < self->trust) ? (self->trust - 1U) : 0U;
             }
-            if (0U < trust) {
+            if (trust > 0U) {
                 const float off1 = miss1;
                 const float off2 = (11.271489f * miss1) + miss2;
-                const uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+                const uint32_t left_o = (elapsed < STAGE41_OBSERVER_OBSERVER_SAMPLES) ? (STAGE41_OBSERVER_OBSERVER_SAMPLES - elapsed) : 0U;
                 const float o0 = (float)left_o;
                 float l1_1;
                 float l1_2;
@@ -126,35 +155,34 @@ ptc_status stage41_observer_update(stage41_observer *self, uint32_t k, const flo
                 float l2_1;
                 float l2_2;
                 float l2_3;
-                if (7.0f < o0) {
-                    const float r0 = 1.0f / o0;
-                    const float r1 = 1.0f / (o0 - 1.0f);
-                    l1_1 = ((((-8.0f) * r0) + 8.0f) * r1) - 0.021203334f;
-                    l1_2 = (((1218.3761f * r0) - 11.457022f) * r1) - 1.242789f;
-                    l1_3 = (((90.17191f * r0) - 90.17191f) * r1) + 5.3316126f;
+                if (o0 > 7.0f) {
+                    const float r0 = 1.0f / (o0 * (o0 - 1.0f));
+                    l1_1 = ((STAGE41_OBSERVER_Q1_1_1 + (STAGE41_OBSERVER_Q1_1_2 * o0)) * r0) - 0.021203334f;
+                    l1_2 = ((STAGE41_OBSERVER_Q1_2_1 + (STAGE41_OBSERVER_Q1_2_2 * o0)) * r0) - 1.242789f;
+                    l1_3 = ((STAGE41_OBSERVER_Q1_3_1 + (STAGE41_OBSERVER_Q1_3_2 * o0)) * r0) + 5.3316126f;
                     l2_1 = 0.0f;
-                    l2_2 = ((-0.37285107f) * r0) + 0.112953566f;
-                    l2_3 = (6.0f * r0) - 0.45181426f;
+                    l2_2 = (STAGE41_OBSERVER_Q2_2_1 * r0) + 0.112953566f;
+                    l2_3 = (STAGE41_OBSERVER_Q2_3_1 * r0) - 0.45181426f;
                 } else if (left_o == 7U) {
-                    l1_1 = 1.1216538f;
-                    l1_2 = 11.488578f;
-                    l1_3 = -7.5500894f;
+                    l1_1 = STAGE41_OBSERVER_E0_1_1;
+                    l1_2 = STAGE41_OBSERVER_E0_1_2;
+                    l1_3 = STAGE41_OBSERVER_E0_1_3;
                     l2_1 = 0.0f;
-                    l2_2 = 0.05081172f;
-                    l2_3 = 0.5481857f;
+                    l2_2 = STAGE41_OBSERVER_E0_2_2;
+                    l2_3 = STAGE41_OBSERVER_E0_2_3;
                 } else {
-                    l1_1 = 1.9787967f;
-                    l1_2 = 96.46954f;
-                    l1_3 = -17.211365f;
+                    l1_1 = STAGE41_OBSERVER_E1_1_1;
+                    l1_2 = STAGE41_OBSERVER_E1_1_2;
+                    l1_3 = STAGE41_OBSERVER_E1_1_3;
                     l2_1 = 0.0f;
-                    l2_2 = 0.05081172f;
-                    l2_3 = 0.5481857f;
+                    l2_2 = STAGE41_OBSERVER_E1_2_2;
+                    l2_3 = STAGE41_OBSERVER_E1_2_3;
                 }
-                const float s1 = x1 + (0.009942672f * x2) + (0.000617856f * x3) + (l1_1 * off1);
-                const float x1_on = s1 + (l2_1 * off2);
-                const float s2 = (0.9857608f * x2) + (0.11206872f * x3) + (l1_2 * off1);
+                const float s1 = x1 + (STAGE41_OBSERVER_PHI1_2 * x2) + (STAGE41_OBSERVER_PHI1_3 * x3);
+                const float x1_on = s1 + (l1_1 * off1) + (l2_1 * off2);
+                const float s2 = (STAGE41_OBSERVER_PHI2_2 * x2) + (STAGE41_OBSERVER_PHI2_3 * x3) + (l1_2 * off1);
                 const float x2_on = s2 + (l2_2 * off2);
-                const float s3 = ((-0.11206872f) * x2) + (0.54122156f * x3) + (l1_3 * off1);
+                const float s3 = (STAGE41_OBSERVER_PHI3_2 * x2) + (STAGE41_OBSERVER_PHI3_3 * x3) + (l1_3 * off1);
                 const float x3_on = s3 + (l2_3 * off2);
                 status = PTC_E_RANGE;
                 if (PTC_FINITE_F32(x1)

@@ -39,8 +39,8 @@
  *   loop: not checked: an observer alone has no law.
  *   envelope: not checked: an observer alone has no law.
  */
-#ifndef STAGE41_OBSERVER_DAF2F4EB_HPP
-#define STAGE41_OBSERVER_DAF2F4EB_HPP
+#ifndef STAGE41_OBSERVER_C36AF846_HPP
+#define STAGE41_OBSERVER_C36AF846_HPP
 
 #include <array>
 #include <cfloat>
@@ -131,7 +131,7 @@ public:
         start_ = k;
         const float s1 = absolute(x1_next_) + absolute(x2_next_);
         const float size = s1 + absolute(x3_next_);
-        if (!((1U < trust_) && (size <= 1e18f))) {
+        if (!((trust_ > 1U) && (size <= 1e18f))) {
             seen_ = 0U;
             x1_hat_ = 0.0f;
             x1_next_ = 0.0f;
@@ -163,9 +163,9 @@ public:
             x2 = 0.0f;
             x3 = y[1];
         } else {
-            x1 = x1_next_ + (0.00010803832f * u);
-            x2 = x2_next_ + (0.030892799f * u);
-            x3 = x3_next_ + (0.37459216f * u);
+            x1 = x1_next_ + (gamma1_ * u);
+            x2 = x2_next_ + (gamma2_ * u);
+            x3 = x3_next_ + (gamma3_ * u);
         }
 
         // Prediction of the next sample.
@@ -183,12 +183,12 @@ public:
             miss2 = 0.0f;
             trust = (1U < trust_) ? (trust_ - 1U) : 0U;
         }
-        if (!(0U < trust)) {
+        if (!(trust > 0U)) {
             return Status::Input;
         }
         const float off1 = miss1;
         const float off2 = (11.271489f * miss1) + miss2;
-        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const float o0 = static_cast<float>(left_o);
         float l1_1{};
         float l1_2{};
@@ -196,35 +196,34 @@ public:
         float l2_1{};
         float l2_2{};
         float l2_3{};
-        if (7.0f < o0) {
-            const float r0 = 1.0f / o0;
-            const float r1 = 1.0f / (o0 - 1.0f);
-            l1_1 = ((((-8.0f) * r0) + 8.0f) * r1) - 0.021203334f;
-            l1_2 = (((1218.3761f * r0) - 11.457022f) * r1) - 1.242789f;
-            l1_3 = (((90.17191f * r0) - 90.17191f) * r1) + 5.3316126f;
+        if (o0 > 7.0f) {
+            const float r0 = 1.0f / (o0 * (o0 - 1.0f));
+            l1_1 = ((q1_1_1_ + (q1_1_2_ * o0)) * r0) - 0.021203334f;
+            l1_2 = ((q1_2_1_ + (q1_2_2_ * o0)) * r0) - 1.242789f;
+            l1_3 = ((q1_3_1_ + (q1_3_2_ * o0)) * r0) + 5.3316126f;
             l2_1 = 0.0f;
-            l2_2 = ((-0.37285107f) * r0) + 0.112953566f;
-            l2_3 = (6.0f * r0) - 0.45181426f;
+            l2_2 = (q2_2_1_ * r0) + 0.112953566f;
+            l2_3 = (q2_3_1_ * r0) - 0.45181426f;
         } else if (left_o == 7U) {
-            l1_1 = 1.1216538f;
-            l1_2 = 11.488578f;
-            l1_3 = -7.5500894f;
+            l1_1 = e0_1_1_;
+            l1_2 = e0_1_2_;
+            l1_3 = e0_1_3_;
             l2_1 = 0.0f;
-            l2_2 = 0.05081172f;
-            l2_3 = 0.5481857f;
+            l2_2 = e0_2_2_;
+            l2_3 = e0_2_3_;
         } else {
-            l1_1 = 1.9787967f;
-            l1_2 = 96.46954f;
-            l1_3 = -17.211365f;
+            l1_1 = e1_1_1_;
+            l1_2 = e1_1_2_;
+            l1_3 = e1_1_3_;
             l2_1 = 0.0f;
-            l2_2 = 0.05081172f;
-            l2_3 = 0.5481857f;
+            l2_2 = e1_2_2_;
+            l2_3 = e1_2_3_;
         }
-        const float s1 = x1 + (0.009942672f * x2) + (0.000617856f * x3) + (l1_1 * off1);
-        const float x1_on = s1 + (l2_1 * off2);
-        const float s2 = (0.9857608f * x2) + (0.11206872f * x3) + (l1_2 * off1);
+        const float s1 = x1 + (phi1_2_ * x2) + (phi1_3_ * x3);
+        const float x1_on = s1 + (l1_1 * off1) + (l2_1 * off2);
+        const float s2 = (phi2_2_ * x2) + (phi2_3_ * x3) + (l1_2 * off1);
         const float x2_on = s2 + (l2_2 * off2);
-        const float s3 = ((-0.11206872f) * x2) + (0.54122156f * x3) + (l1_3 * off1);
+        const float s3 = (phi3_2_ * x2) + (phi3_3_ * x3) + (l1_3 * off1);
         const float x3_on = s3 + (l2_3 * off2);
         if (!(finite(x1)
                 && finite(x1_on)
@@ -268,6 +267,62 @@ private:
     {
         return (v > 0.0f) ? v : (0.0f - v);
     }
+    /// Prediction from u.
+    static constexpr float gamma1_{0.00010803832f};
+    /// Prediction from u.
+    static constexpr float gamma2_{0.030892799f};
+    /// Prediction from u.
+    static constexpr float gamma3_{0.37459216f};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{20U};
+    /// Weight in the observer's gain l1_1.
+    static constexpr float q1_1_1_{-8.0f};
+    /// Weight in the observer's gain l1_1.
+    static constexpr float q1_1_2_{8.0f};
+    /// Weight in the observer's gain l1_2.
+    static constexpr float q1_2_1_{1218.3761f};
+    /// Weight in the observer's gain l1_2.
+    static constexpr float q1_2_2_{-11.457022f};
+    /// Weight in the observer's gain l1_3.
+    static constexpr float q1_3_1_{90.17191f};
+    /// Weight in the observer's gain l1_3.
+    static constexpr float q1_3_2_{-90.17191f};
+    /// Weight in the observer's gain l2_2.
+    static constexpr float q2_2_1_{-0.37285107f};
+    /// Weight in the observer's gain l2_3.
+    static constexpr float q2_3_1_{6.0f};
+    /// Gain of the observer at its end.
+    static constexpr float e0_1_1_{1.1216538f};
+    /// Gain of the observer at its end.
+    static constexpr float e0_1_2_{11.488578f};
+    /// Gain of the observer at its end.
+    static constexpr float e0_1_3_{-7.5500894f};
+    /// Gain of the observer at its end.
+    static constexpr float e0_2_2_{0.05081172f};
+    /// Gain of the observer at its end.
+    static constexpr float e0_2_3_{0.5481857f};
+    /// Gain of the observer at its end.
+    static constexpr float e1_1_1_{1.9787967f};
+    /// Gain of the observer at its end.
+    static constexpr float e1_1_2_{96.46954f};
+    /// Gain of the observer at its end.
+    static constexpr float e1_1_3_{-17.211365f};
+    /// Gain of the observer at its end.
+    static constexpr float e1_2_2_{0.05081172f};
+    /// Gain of the observer at its end.
+    static constexpr float e1_2_3_{0.5481857f};
+    /// Prediction of x1 from x2.
+    static constexpr float phi1_2_{0.009942672f};
+    /// Prediction of x1 from x3.
+    static constexpr float phi1_3_{0.000617856f};
+    /// Prediction of x2 from x2.
+    static constexpr float phi2_2_{0.9857608f};
+    /// Prediction of x2 from x3.
+    static constexpr float phi2_3_{0.11206872f};
+    /// Prediction of x3 from x2.
+    static constexpr float phi3_2_{-0.11206872f};
+    /// Prediction of x3 from x3.
+    static constexpr float phi3_3_{0.54122156f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t seen_{}; // 1 once y has been measured

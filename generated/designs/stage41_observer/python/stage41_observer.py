@@ -89,6 +89,63 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(_R(0.00010803832265082747))
+# Prediction from u.
+_GAMMA2 = _R(_R(0.03089279867708683))
+# Prediction from u.
+_GAMMA3 = _R(_R(0.3745921552181244))
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 20
+# Weight in the observer's gain l1_1.
+_Q1_1_1 = _R(-_R(8.0))
+# Weight in the observer's gain l1_1.
+_Q1_1_2 = _R(_R(8.0))
+# Weight in the observer's gain l1_2.
+_Q1_2_1 = _R(_R(1218.3760986328125))
+# Weight in the observer's gain l1_2.
+_Q1_2_2 = _R(-_R(11.457021713256836))
+# Weight in the observer's gain l1_3.
+_Q1_3_1 = _R(_R(90.17191314697266))
+# Weight in the observer's gain l1_3.
+_Q1_3_2 = _R(-_R(90.17191314697266))
+# Weight in the observer's gain l2_2.
+_Q2_2_1 = _R(-_R(0.37285107374191284))
+# Weight in the observer's gain l2_3.
+_Q2_3_1 = _R(_R(6.0))
+# Gain of the observer at its end.
+_E0_1_1 = _R(_R(1.1216537952423096))
+# Gain of the observer at its end.
+_E0_1_2 = _R(_R(11.488577842712402))
+# Gain of the observer at its end.
+_E0_1_3 = _R(-_R(7.550089359283447))
+# Gain of the observer at its end.
+_E0_2_2 = _R(_R(0.05081171914935112))
+# Gain of the observer at its end.
+_E0_2_3 = _R(_R(0.5481857061386108))
+# Gain of the observer at its end.
+_E1_1_1 = _R(_R(1.9787967205047607))
+# Gain of the observer at its end.
+_E1_1_2 = _R(_R(96.46954345703125))
+# Gain of the observer at its end.
+_E1_1_3 = _R(-_R(17.21136474609375))
+# Gain of the observer at its end.
+_E1_2_2 = _R(_R(0.05081171914935112))
+# Gain of the observer at its end.
+_E1_2_3 = _R(_R(0.5481857061386108))
+# Prediction of x1 from x2.
+_PHI1_2 = _R(_R(0.009942672215402126))
+# Prediction of x1 from x3.
+_PHI1_3 = _R(_R(0.0006178559851832688))
+# Prediction of x2 from x2.
+_PHI2_2 = _R(_R(0.9857608079910278))
+# Prediction of x2 from x3.
+_PHI2_3 = _R(_R(0.11206872016191483))
+# Prediction of x3 from x2.
+_PHI3_2 = _R(-_R(0.11206872016191483))
+# Prediction of x3 from x3.
+_PHI3_3 = _R(_R(0.541221559047699))
+
 class Stage41Observer:
     """The observer. Takes the parameters and arms at tick 0.
 
@@ -117,7 +174,7 @@ class Stage41Observer:
         self._start = k
         s1 = np.abs(self._x1_next) + np.abs(self._x2_next)
         size = s1 + np.abs(self._x3_next)
-        if not ((1 < self._trust) and (size <= _R(9.999999843067494e17))):
+        if not ((self._trust > 1) and (size <= _R(9.999999843067494e17))):
             self._seen = 0
             self._x1_hat = _R(0.0)
             self._x1_next = _R(0.0)
@@ -148,9 +205,9 @@ class Stage41Observer:
                 x2 = _R(0.0)
                 x3 = y[1]
             else:
-                x1 = self._x1_next + (_R(0.00010803832265082747) * u)
-                x2 = self._x2_next + (_R(0.03089279867708683) * u)
-                x3 = self._x3_next + (_R(0.3745921552181244) * u)
+                x1 = self._x1_next + (_GAMMA1 * u)
+                x2 = self._x2_next + (_GAMMA2 * u)
+                x3 = self._x3_next + (_GAMMA3 * u)
 
             # Prediction of the next sample.
             gap1 = y[0] - x1
@@ -168,40 +225,39 @@ class Stage41Observer:
                 miss1 = _R(0.0)
                 miss2 = _R(0.0)
                 trust = max(self._trust - 1, 0)
-            if not (0 < trust):
+            if not (trust > 0):
                 return Status.INPUT
             off1 = miss1
             off2 = (_R(11.271489143371582) * miss1) + miss2
-            left_o = max(20 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if _R(7.0) < o0:
-                r0 = _R(1.0) / o0
-                r1 = _R(1.0) / (o0 - _R(1.0))
-                l1_1 = ((((-_R(8.0)) * r0) + _R(8.0)) * r1) - _R(0.021203333511948586)
-                l1_2 = (((_R(1218.3760986328125) * r0) - _R(11.457021713256836)) * r1) - _R(1.2427890300750732)
-                l1_3 = (((_R(90.17191314697266) * r0) - _R(90.17191314697266)) * r1) + _R(5.331612586975098)
+            if o0 > _R(7.0):
+                r0 = _R(1.0) / (o0 * (o0 - _R(1.0)))
+                l1_1 = ((_Q1_1_1 + (_Q1_1_2 * o0)) * r0) - _R(0.021203333511948586)
+                l1_2 = ((_Q1_2_1 + (_Q1_2_2 * o0)) * r0) - _R(1.2427890300750732)
+                l1_3 = ((_Q1_3_1 + (_Q1_3_2 * o0)) * r0) + _R(5.331612586975098)
                 l2_1 = _R(0.0)
-                l2_2 = ((-_R(0.37285107374191284)) * r0) + _R(0.1129535660147667)
-                l2_3 = (_R(6.0) * r0) - _R(0.4518142640590668)
+                l2_2 = (_Q2_2_1 * r0) + _R(0.1129535660147667)
+                l2_3 = (_Q2_3_1 * r0) - _R(0.4518142640590668)
             elif left_o == 7:
-                l1_1 = _R(1.1216537952423096)
-                l1_2 = _R(11.488577842712402)
-                l1_3 = -_R(7.550089359283447)
+                l1_1 = _E0_1_1
+                l1_2 = _E0_1_2
+                l1_3 = _E0_1_3
                 l2_1 = _R(0.0)
-                l2_2 = _R(0.05081171914935112)
-                l2_3 = _R(0.5481857061386108)
+                l2_2 = _E0_2_2
+                l2_3 = _E0_2_3
             else:
-                l1_1 = _R(1.9787967205047607)
-                l1_2 = _R(96.46954345703125)
-                l1_3 = -_R(17.21136474609375)
+                l1_1 = _E1_1_1
+                l1_2 = _E1_1_2
+                l1_3 = _E1_1_3
                 l2_1 = _R(0.0)
-                l2_2 = _R(0.05081171914935112)
-                l2_3 = _R(0.5481857061386108)
-            s1 = x1 + (_R(0.009942672215402126) * x2) + (_R(0.0006178559851832688) * x3) + (l1_1 * off1)
-            x1_on = s1 + (l2_1 * off2)
-            s2 = (_R(0.9857608079910278) * x2) + (_R(0.11206872016191483) * x3) + (l1_2 * off1)
+                l2_2 = _E1_2_2
+                l2_3 = _E1_2_3
+            s1 = x1 + (_PHI1_2 * x2) + (_PHI1_3 * x3)
+            x1_on = s1 + (l1_1 * off1) + (l2_1 * off2)
+            s2 = (_PHI2_2 * x2) + (_PHI2_3 * x3) + (l1_2 * off1)
             x2_on = s2 + (l2_2 * off2)
-            s3 = ((-_R(0.11206872016191483)) * x2) + (_R(0.541221559047699) * x3) + (l1_3 * off1)
+            s3 = (_PHI3_2 * x2) + (_PHI3_3 * x3) + (l1_3 * off1)
             x3_on = s3 + (l2_3 * off2)
             if not (
                 np.isfinite(x1)

@@ -151,6 +151,63 @@ pub struct Stage41Observer {
     clippy::nursery
 )]
 impl Stage41Observer {
+    /// Prediction from u.
+    const GAMMA1: f32 = 0.00010803832;
+    /// Prediction from u.
+    const GAMMA2: f32 = 0.030892799;
+    /// Prediction from u.
+    const GAMMA3: f32 = 0.37459216;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 20;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_1: f32 = -8.0;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_2: f32 = 8.0;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_1: f32 = 1218.3761;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_2: f32 = -11.457022;
+    /// Weight in the observer's gain l1_3.
+    const Q1_3_1: f32 = 90.17191;
+    /// Weight in the observer's gain l1_3.
+    const Q1_3_2: f32 = -90.17191;
+    /// Weight in the observer's gain l2_2.
+    const Q2_2_1: f32 = -0.37285107;
+    /// Weight in the observer's gain l2_3.
+    const Q2_3_1: f32 = 6.0;
+    /// Gain of the observer at its end.
+    const E0_1_1: f32 = 1.1216538;
+    /// Gain of the observer at its end.
+    const E0_1_2: f32 = 11.488578;
+    /// Gain of the observer at its end.
+    const E0_1_3: f32 = -7.5500894;
+    /// Gain of the observer at its end.
+    const E0_2_2: f32 = 0.05081172;
+    /// Gain of the observer at its end.
+    const E0_2_3: f32 = 0.5481857;
+    /// Gain of the observer at its end.
+    const E1_1_1: f32 = 1.9787967;
+    /// Gain of the observer at its end.
+    const E1_1_2: f32 = 96.46954;
+    /// Gain of the observer at its end.
+    const E1_1_3: f32 = -17.211365;
+    /// Gain of the observer at its end.
+    const E1_2_2: f32 = 0.05081172;
+    /// Gain of the observer at its end.
+    const E1_2_3: f32 = 0.5481857;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f32 = 0.009942672;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f32 = 0.000617856;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f32 = 0.9857608;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f32 = 0.11206872;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f32 = -0.11206872;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f32 = 0.54122156;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -176,7 +233,7 @@ impl Stage41Observer {
         self.start = k;
         let s1 = (self.x1_next).abs() + (self.x2_next).abs();
         let size = s1 + (self.x3_next).abs();
-        if !((1 < self.trust) && (size <= 1e18)) {
+        if !((self.trust > 1) && (size <= 1e18)) {
             self.seen = 0;
             self.x1_hat = 0.0;
             self.x1_next = 0.0;
@@ -211,9 +268,9 @@ impl Stage41Observer {
             x2 = 0.0;
             x3 = y[1];
         } else {
-            x1 = self.x1_next + (0.00010803832 * u);
-            x2 = self.x2_next + (0.030892799 * u);
-            x3 = self.x3_next + (0.37459216 * u);
+            x1 = self.x1_next + (Self::GAMMA1 * u);
+            x2 = self.x2_next + (Self::GAMMA2 * u);
+            x3 = self.x3_next + (Self::GAMMA3 * u);
         }
 
         // Prediction of the next sample.
@@ -231,12 +288,12 @@ impl Stage41Observer {
             miss2 = 0.0;
             trust = self.trust.saturating_sub(1);
         }
-        if !(0 < trust) {
+        if !(trust > 0) {
             return Err(Error::Input);
         }
         let off1 = miss1;
         let off2 = (11.271489 * miss1) + miss2;
-        let left_o = 20_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f32;
         let l1_1: f32;
         let l1_2: f32;
@@ -244,35 +301,34 @@ impl Stage41Observer {
         let l2_1: f32;
         let l2_2: f32;
         let l2_3: f32;
-        if 7.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.021203334;
-            l1_2 = (((1218.3761 * r0) - 11.457022) * r1) - 1.242789;
-            l1_3 = (((90.17191 * r0) - 90.17191) * r1) + 5.3316126;
+        if o0 > 7.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1_1 = ((Self::Q1_1_1 + (Self::Q1_1_2 * o0)) * r0) - 0.021203334;
+            l1_2 = ((Self::Q1_2_1 + (Self::Q1_2_2 * o0)) * r0) - 1.242789;
+            l1_3 = ((Self::Q1_3_1 + (Self::Q1_3_2 * o0)) * r0) + 5.3316126;
             l2_1 = 0.0;
-            l2_2 = ((-0.37285107) * r0) + 0.112953566;
-            l2_3 = (6.0 * r0) - 0.45181426;
+            l2_2 = (Self::Q2_2_1 * r0) + 0.112953566;
+            l2_3 = (Self::Q2_3_1 * r0) - 0.45181426;
         } else if left_o == 7 {
-            l1_1 = 1.1216538;
-            l1_2 = 11.488578;
-            l1_3 = -7.5500894;
+            l1_1 = Self::E0_1_1;
+            l1_2 = Self::E0_1_2;
+            l1_3 = Self::E0_1_3;
             l2_1 = 0.0;
-            l2_2 = 0.05081172;
-            l2_3 = 0.5481857;
+            l2_2 = Self::E0_2_2;
+            l2_3 = Self::E0_2_3;
         } else {
-            l1_1 = 1.9787967;
-            l1_2 = 96.46954;
-            l1_3 = -17.211365;
+            l1_1 = Self::E1_1_1;
+            l1_2 = Self::E1_1_2;
+            l1_3 = Self::E1_1_3;
             l2_1 = 0.0;
-            l2_2 = 0.05081172;
-            l2_3 = 0.5481857;
+            l2_2 = Self::E1_2_2;
+            l2_3 = Self::E1_2_3;
         }
-        let s1 = x1 + (0.009942672 * x2) + (0.000617856 * x3) + (l1_1 * off1);
-        let x1_on = s1 + (l2_1 * off2);
-        let s2 = (0.9857608 * x2) + (0.11206872 * x3) + (l1_2 * off1);
+        let s1 = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3);
+        let x1_on = s1 + (l1_1 * off1) + (l2_1 * off2);
+        let s2 = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3) + (l1_2 * off1);
         let x2_on = s2 + (l2_2 * off2);
-        let s3 = ((-0.11206872) * x2) + (0.54122156 * x3) + (l1_3 * off1);
+        let s3 = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3) + (l1_3 * off1);
         let x3_on = s3 + (l2_3 * off2);
         if !(x1.is_finite()
             && x1_on.is_finite()

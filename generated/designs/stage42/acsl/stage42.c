@@ -33,19 +33,22 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE42_Q1_1 (-5.0) /* weight in the observer's gain l1 */
+#define STAGE42_Q1_2 3.5 /* 7/2, weight in the observer's gain l1 */
 ptc_status stage42_init(stage42 *self, const stage42_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((3U < params->samples)
+        if ((params->samples > 3U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (0.0 < params->u_max)
+            && (params->u_max > 0.0)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double phi1_2 = params->h;
             const double gamma1 = 0.5 * (params->h * params->h);
@@ -54,7 +57,7 @@ ptc_status stage42_init(stage42 *self, const stage42_params *params)
             const double e0_2 = (-0.125) * (1.0 / params->h);
             const double s1 = ((params->k[1] / 2.0) - 1.0) + 2.0;
             const double s2 = (s1 < 4.0) ? 4.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double w1_1 = (-(params->k[0] / 4.0)) * (1.0 / (params->h * params->h));
             const double w1_2 = (-0.5) * (-(params->k[0] / 4.0)) * (1.0 / params->h);
             const double w2_2 = (1.0 - (params->k[1] / 2.0)) * (1.0 / params->h);
@@ -71,8 +74,8 @@ ptc_status stage42_init(stage42 *self, const stage42_params *params)
                 && PTC_FINITE_F64(w2_2)
                 && PTC_FINITE_F64(b_1)
                 && PTC_FINITE_F64(b_2)
-                && (1e-200 <= params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0;
@@ -145,11 +148,10 @@ ptc_status stage42_step(stage42 *self, uint32_t k, const double y[1], double *u)
             const double o0 = (double)left_o;
             double l1;
             double l2;
-            if (4.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                l1 = (((-5.0) * r0) + 3.5) * r1;
-                l2 = self->q2_1 * r0 * r1;
+            if (o0 > 4.0) {
+                const double r0 = 1.0 / (o0 * (o0 - 1.0));
+                l1 = (STAGE42_Q1_1 + (STAGE42_Q1_2 * o0)) * r0;
+                l2 = self->q2_1 * r0;
             } else if (left_o == 4U) {
                 l1 = 1.0;
                 l2 = self->e0_2;
@@ -162,11 +164,11 @@ ptc_status stage42_step(stage42 *self, uint32_t k, const double y[1], double *u)
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = (double)left;
             double v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2);
                 const double z2 = self->w2_2 * x2;
-                v = ((z1 / m0) + z2) / (m0 - 1.0);
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
             } else {
                 /* Deadbeat. */
                 v = (self->b_1 * x1) + (self->b_2 * x2);
@@ -175,7 +177,7 @@ ptc_status stage42_step(stage42 *self, uint32_t k, const double y[1], double *u)
             if (PTC_FINITE_F64(v)) {
                 double u_now;
                 if (elapsed < self->samples) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         u_now = self->u_max;
                     } else if (v < -self->u_max) {
                         u_now = -self->u_max;
@@ -191,7 +193,7 @@ ptc_status stage42_step(stage42 *self, uint32_t k, const double y[1], double *u)
                 self->seen = 1U;
                 *u = u_now;
                 if (elapsed < self->samples) {
-                    if ((self->u_max < v) || (v < -self->u_max)) {
+                    if ((v > self->u_max) || (v < -self->u_max)) {
                         status = PTC_SATURATED;
                     } else {
                         status = PTC_OK;

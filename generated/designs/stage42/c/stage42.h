@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE42_473A76A8_H
-#define STAGE42_473A76A8_H
+#ifndef STAGE42_76072FF2_H
+#define STAGE42_76072FF2_H
 
 #include <stdint.h>
 
@@ -87,17 +87,17 @@ typedef struct stage42 {
     uint32_t seen; /* 1 once y has been measured */
     double x1_hat; /* estimate of x1 */
     double x2_hat; /* estimate of x2 */
-    double phi1_2; /* prediction from a state */
+    double phi1_2; /* prediction of x1 from x2 */
     double gamma1; /* prediction from u */
-    double q2_1; /* weight in the observer's gains */
+    double q2_1; /* weight in the observer's gain l2 */
     double e1_2; /* gain of the observer at its end */
     double e0_2; /* gain of the observer at its end */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
-    double b_2; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double b_1; /* weight of x1 in the law */
+    double b_2; /* weight of x2 in the law */
     double u_max; /* bound of |u| */
 } stage42;
 

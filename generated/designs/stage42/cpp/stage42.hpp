@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE42_C8C3B96B_HPP
-#define STAGE42_C8C3B96B_HPP
+#ifndef STAGE42_3E8818BC_HPP
+#define STAGE42_3E8818BC_HPP
 
 #include <array>
 #include <cfloat>
@@ -120,14 +120,14 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((3U < params.samples)
+        if (!((params.samples > 3U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
-                && (0.0 < params.u_max)
+                && (params.u_max > 0.0)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -138,7 +138,7 @@ public:
         const double e0_2 = (-0.125) * (1.0 / params.h);
         const double s1 = ((params.k[1] / 2.0) - 1.0) + 2.0;
         const double s2 = (s1 < 4.0) ? 4.0 : s1;
-        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double w1_1 = (-(params.k[0] / 4.0)) * (1.0 / (params.h * params.h));
         const double w1_2 = (-0.5) * (-(params.k[0] / 4.0)) * (1.0 / params.h);
         const double w2_2 = (1.0 - (params.k[1] / 2.0)) * (1.0 / params.h);
@@ -155,8 +155,8 @@ public:
                 && finite(w2_2)
                 && finite(b_1)
                 && finite(b_2)
-                && (1e-200 <= params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -222,11 +222,10 @@ public:
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
-        if (4.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            l1 = (((-5.0) * r0) + 3.5) * r1;
-            l2 = q2_1_ * r0 * r1;
+        if (o0 > 4.0) {
+            const double r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1 = (q1_1_ + (q1_2_ * o0)) * r0;
+            l2 = q2_1_ * r0;
         } else if (left_o == 4U) {
             l1 = 1.0;
             l2 = e0_2_;
@@ -239,11 +238,11 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = static_cast<double>(left);
         double v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
             const double z2 = w2_2_ * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
         } else {
             // Deadbeat.
             v = (b_1_ * x1) + (b_2_ * x2);
@@ -253,7 +252,7 @@ public:
         }
         double u_now{};
         if (elapsed < samples_) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 u_now = u_max_;
             } else if (v < -u_max_) {
                 u_now = -u_max_;
@@ -268,7 +267,7 @@ public:
         x2_hat_ = x2;
         seen_ = 1U;
         if (elapsed < samples_) {
-            if ((u_max_ < v) || (v < -u_max_)) {
+            if ((v > u_max_) || (v < -u_max_)) {
                 return {u_now, Status::Saturated};
             } else {
                 return {u_now, Status::Ok};
@@ -295,6 +294,10 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{-5.0};
+    /// 7/2, weight in the observer's gain l1.
+    static constexpr double q1_2_{3.5};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -302,17 +305,17 @@ private:
     std::uint32_t seen_{}; // 1 once y has been measured
     double x1_hat_{}; // estimate of x1
     double x2_hat_{}; // estimate of x2
-    double phi1_2_{}; // prediction from a state
+    double phi1_2_{}; // prediction of x1 from x2
     double gamma1_{}; // prediction from u
-    double q2_1_{}; // weight in the observer's gains
+    double q2_1_{}; // weight in the observer's gain l2
     double e1_2_{}; // gain of the observer at its end
     double e0_2_{}; // gain of the observer at its end
     double deadbeat_{}; // samples to go at which deadbeat takes over
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double b_1_{}; // weight of a state in the law
-    double b_2_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double b_1_{}; // weight of x1 in the law
+    double b_2_{}; // weight of x2 in the law
     double u_max_{}; // bound of |u|
 };
 

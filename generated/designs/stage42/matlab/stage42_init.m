@@ -66,13 +66,13 @@ if numel(params.k) ~= 2
     error('stage42:param', 'params.k has %d numbers; legal: 2', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(3) < given.samples)
+if ~(given.samples > uint32(3))
     error('stage42:param', 'params.samples is %g; legal: >= 4', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
     error('stage42:param', 'params.h is %g; legal: from 1e-150 to 1e150', params.h);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage42:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -81,7 +81,7 @@ end
 if ~isfinite(given.k(2))
     error('stage42:param', 'params.k(2) is %g; legal: finite', params.k(2));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage42:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
@@ -92,7 +92,7 @@ e1_2 = 1.0 / given.h;
 e0_2 = (-0.125) * (1.0 / given.h);
 s1 = ((given.k(2) / 2.0) - 1.0) + 2.0;
 s2 = pick(s1 < 4.0, 4.0, s1);
-deadbeat = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 w1_1 = (-(given.k(1) / 4.0)) * (1.0 / (given.h * given.h));
 w1_2 = (-0.5) * (-(given.k(1) / 4.0)) * (1.0 / given.h);
 w2_2 = (1.0 - (given.k(2) / 2.0)) * (1.0 / given.h);
@@ -109,8 +109,8 @@ if ~(isfinite(gamma1) ...
     && isfinite(w2_2) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
-    && (1e-200 <= given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h)))
+    && (given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h) >= 1e-200))
     error('stage42:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -14,6 +14,8 @@ function [u, status, self] = stage42_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+q1_1 = -5.0; % weight in the observer's gain l1
+q1_2 = 3.5; % 7/2, weight in the observer's gain l1
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -43,11 +45,10 @@ else
 end
 left_o = bitshift(self.samples, -1) - elapsed;
 o0 = double(left_o);
-if 4.0 < o0
-    r0 = 1.0 / o0;
-    r1 = 1.0 / (o0 - 1.0);
-    l1 = (((-5.0) * r0) + 3.5) * r1;
-    l2 = self.q2_1 * r0 * r1;
+if o0 > 4.0
+    r0 = 1.0 / (o0 * (o0 - 1.0));
+    l1 = (q1_1 + (q1_2 * o0)) * r0;
+    l2 = self.q2_1 * r0;
 elseif left_o == uint32(4)
     l1 = 1.0;
     l2 = self.e0_2;
@@ -59,11 +60,11 @@ x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 left = self.samples - elapsed;
 m0 = double(left);
-if self.deadbeat < m0
+if m0 > self.deadbeat
     % The exact law in samples.
     z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
     z2 = self.w2_2 * x2;
-    v = ((z1 / m0) + z2) / (m0 - 1.0);
+    v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
 else
     % Deadbeat.
     v = (self.b_1 * x1) + (self.b_2 * x2);
@@ -73,7 +74,7 @@ if ~isfinite(v)
     return;
 end
 if elapsed < self.samples
-    if self.u_max < v
+    if v > self.u_max
         u_now = self.u_max;
     elseif v < -self.u_max
         u_now = -self.u_max;
@@ -88,7 +89,7 @@ self.x1_hat = x1;
 self.x2_hat = x2;
 self.seen = uint32(1);
 if elapsed < self.samples
-    if (self.u_max < v) || (v < -self.u_max)
+    if (v > self.u_max) || (v < -self.u_max)
         u = u_now;
         status = int32(2);
     else

@@ -113,6 +113,11 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight in the observer's gain l1.
+_Q1_1 = _R(-5.0)
+# 7/2, weight in the observer's gain l1.
+_Q1_2 = _R(3.5)
+
 class Stage42:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -128,17 +133,17 @@ class Stage42:
             given_u_max = _R(params.u_max)
             given_k = _numbers(params.k, 2, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (3 < given_samples):
+            if not (given_samples > 3):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 4")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             phi1_2 = given_h
@@ -148,7 +153,7 @@ class Stage42:
             e0_2 = (-0.125) * (1.0 / given_h)
             s1 = ((given_k[1] / 2.0) - 1.0) + 2.0
             s2 = max(s1, _R(4.0))
-            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > 0.0 else s2
             w1_1 = (-(given_k[0] / 4.0)) * (1.0 / (given_h * given_h))
             w1_2 = (-0.5) * (-(given_k[0] / 4.0)) * (1.0 / given_h)
             w2_2 = (1.0 - (given_k[1] / 2.0)) * (1.0 / given_h)
@@ -166,8 +171,8 @@ class Stage42:
                 and np.isfinite(w2_2)
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
-                and (1e-200 <= given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h))
+                and (given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -230,11 +235,10 @@ class Stage42:
                 miss = y[0] - p1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = _R(left_o)
-            if 4.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                l1 = (((-5.0) * r0) + 3.5) * r1
-                l2 = self._q2_1 * r0 * r1
+            if o0 > 4.0:
+                r0 = 1.0 / (o0 * (o0 - 1.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0)) * r0
+                l2 = self._q2_1 * r0
             elif left_o == 4:
                 l1 = _R(1.0)
                 l2 = self._e0_2
@@ -245,18 +249,18 @@ class Stage42:
             x2 = p2 + (l2 * miss)
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2)
                 z2 = self._w2_2 * x2
-                v = ((z1 / m0) + z2) / (m0 - 1.0)
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0))
             else:
                 # Deadbeat.
                 v = (self._b_1 * x1) + (self._b_2 * x2)
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
             if elapsed < self._samples:
-                if self._u_max < v:
+                if v > self._u_max:
                     u_now = self._u_max
                 elif v < -self._u_max:
                     u_now = -self._u_max
@@ -269,7 +273,7 @@ class Stage42:
             self._x2_hat = x2
             self._seen = 1
             if elapsed < self._samples:
-                if (self._u_max < v) or (v < -self._u_max):
+                if (v > self._u_max) or (v < -self._u_max):
                     return Control(u_now, Status.SATURATED)
                 else:
                     return Control(u_now, Status.OK)

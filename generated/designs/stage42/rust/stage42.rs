@@ -148,11 +148,11 @@ pub struct Stage42 {
     x1_hat: f64,
     /// estimate of x2.
     x2_hat: f64,
-    /// prediction from a state.
+    /// prediction of x1 from x2.
     phi1_2: f64,
     /// prediction from u.
     gamma1: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f64,
     /// gain of the observer at its end.
     e1_2: f64,
@@ -160,15 +160,15 @@ pub struct Stage42 {
     e0_2: f64,
     /// samples to go at which deadbeat takes over.
     deadbeat: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f64,
     /// bound of |u|.
     u_max: f64,
@@ -183,19 +183,24 @@ pub struct Stage42 {
     clippy::nursery
 )]
 impl Stage42 {
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = -5.0;
+    /// 7/2, weight in the observer's gain l1.
+    const Q1_2: f64 = 3.5;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage42Params) -> Result<Self, Error> {
-        if !((3 < params.samples)
+        if !((params.samples > 3)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
@@ -207,7 +212,7 @@ impl Stage42 {
         let e0_2 = (-0.125) * (1.0 / params.h);
         let s1 = ((params.k[1] / 2.0) - 1.0) + 2.0;
         let s2 = if s1 < 4.0 { 4.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -228,8 +233,8 @@ impl Stage42 {
             && w2_2.is_finite()
             && b_1.is_finite()
             && b_2.is_finite()
-            && (1e-200 <= params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -299,11 +304,10 @@ impl Stage42 {
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
-        if 4.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1 = (((-5.0) * r0) + 3.5) * r1;
-            l2 = self.q2_1 * r0 * r1;
+        if o0 > 4.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0)) * r0;
+            l2 = self.q2_1 * r0;
         } else if left_o == 4 {
             l1 = 1.0;
             l2 = self.e0_2;
@@ -316,11 +320,11 @@ impl Stage42 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f64;
         let v: f64;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2);
             let z2 = self.w2_2 * x2;
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
         } else {
             // Deadbeat.
             v = (self.b_1 * x1) + (self.b_2 * x2);
@@ -330,7 +334,7 @@ impl Stage42 {
         }
         let u_now: f64;
         if elapsed < self.samples {
-            if self.u_max < v {
+            if v > self.u_max {
                 u_now = self.u_max;
             } else if v < -self.u_max {
                 u_now = -self.u_max;
@@ -345,7 +349,7 @@ impl Stage42 {
         self.x2_hat = x2;
         self.seen = 1;
         let status = if elapsed < self.samples {
-            if (self.u_max < v) || (v < -self.u_max) {
+            if (v > self.u_max) || (v < -self.u_max) {
                 Status::Saturated
             } else {
                 Status::Ok

@@ -53,8 +53,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE43_1F078439_HPP
-#define STAGE43_1F078439_HPP
+#ifndef STAGE43_C1F1CE85_HPP
+#define STAGE43_C1F1CE85_HPP
 
 #include <array>
 #include <cfloat>
@@ -167,13 +167,15 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const double s1 = x1_hat_ + (0.01 * x2_hat_) + (5e-5 * x3_hat_);
-        const double s2 = (1.640625e-7 * u4_) + (2.604166666666667e-9 * u3_);
-        const double p1 = s1 + (1.6666666666666668e-7 * d_hat_) + s2;
-        const double s3 = x2_hat_ + (0.01 * x3_hat_) + (5e-5 * d_hat_);
-        const double p2 = s3 + ((4.6875e-5 * u4_) + (3.125e-6 * u3_));
-        const double s4 = (0.0075 * u4_) + (0.0025 * u3_);
-        const double p3 = x3_hat_ + (0.01 * d_hat_) + s4;
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double s2 = s1 + (phi1_3_ * x3_hat_);
+        const double s3 = (gamma1_ * u4_) + (late_gamma1_ * u3_);
+        const double p1 = s2 + (phi1_4_ * d_hat_) + s3;
+        const double s4 = x2_hat_ + (phi2_3_ * x3_hat_);
+        const double s5 = (gamma2_ * u4_) + (late_gamma2_ * u3_);
+        const double p2 = s4 + (phi2_4_ * d_hat_) + s5;
+        const double s6 = (gamma3_ * u4_) + (late_gamma3_ * u3_);
+        const double p3 = x3_hat_ + (phi3_4_ * d_hat_) + s6;
         const double p4 = d_hat_;
 
         // Correct by what is measured.
@@ -186,41 +188,41 @@ public:
             base = p1;
             miss = y[0] - p1;
         }
-        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
         double l4{};
-        if (10.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            const double r3 = 1.0 / (o0 - 3.0);
-            l1 = (((((((-840.0) * r0) + 480.0) * r1) - 120.0) * r2) + 16.0) * r3;
-            l2 = ((((90800.0 * r0) - 43200.0) * r1) + 7200.0) * r2 * r3;
-            l3 = (((-3360000.0) * r0) + 960000.0) * r1 * r2 * r3;
-            l4 = 24000000.0 * r0 * r1 * r2 * r3;
+        if (o0 > 10.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double o0f3 = o0f2 * (o0 - 2.0);
+            const double r0 = 1.0 / (o0f3 * (o0 - 3.0));
+            const double s7 = q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2);
+            l1 = (s7 + (q1_4_ * o0f3)) * r0;
+            l2 = (q2_1_ + (q2_2_ * o0) + (q2_3_ * o0f2)) * r0;
+            l3 = (q3_1_ + (q3_2_ * o0)) * r0;
+            l4 = q4_1_ * r0;
         } else if (left_o == 10U) {
             l1 = 1.0;
-            l2 = 47.77777777777778;
-            l3 = 2666.6666666666665;
-            l4 = -66666.66666666667;
+            l2 = e0_2_;
+            l3 = e0_3_;
+            l4 = e0_4_;
         } else if (left_o == 9U) {
             l1 = 1.0;
-            l2 = 81.48148148148148;
-            l3 = -2222.222222222222;
-            l4 = 444444.44444444444;
+            l2 = e1_2_;
+            l3 = e1_3_;
+            l4 = e1_4_;
         } else if (left_o == 8U) {
             l1 = 1.0;
-            l2 = 116.66666666666667;
+            l2 = e2_2_;
             l3 = 0.0;
-            l4 = -1000000.0;
+            l4 = e2_4_;
         } else {
             l1 = 1.0;
-            l2 = 183.33333333333334;
-            l3 = 20000.0;
-            l4 = 1000000.0;
+            l2 = e3_2_;
+            l3 = e3_3_;
+            l4 = e3_4_;
         }
         const double x1 = base + (l1 * miss);
         const double x2 = p2 + (l2 * miss);
@@ -228,7 +230,7 @@ public:
         const double d = p4 + (l4 * miss);
 
         // The tracking error.
-        const double t = 0.01 * static_cast<double>(elapsed);
+        const double t = static_cast<double>(elapsed) * h_;
         const double reference1 = t;
         const double reference0 = reference1 * reference1 * 0.5;
         const double e1 = x1 - reference0;
@@ -238,21 +240,24 @@ public:
 
         // The exact law in samples.
         const double m0 = (elapsed < 34U) ? (static_cast<double>(40U - elapsed)) : 6.0;
-        const double s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3);
-        const double z1 = s5 - (72.1875 * (u3_ + d));
-        const double s6 = (((-600000.0) * e2) - (13500.0 * e3)) - (60.0 * (u2_ + d));
-        const double z2 = s6 - (84.375 * (u3_ + d));
-        const double s7 = ((-1200.0) * e3) - (12.0 * (u1_ + d));
-        const double z3 = (s7 - (12.0 * (u2_ + d))) - (9.0 * (u3_ + d));
-        v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d;
+        const double s8 = (w1_1_ * e1) + (w1_2_ * e2) + (w1_3_ * e3);
+        const double z1 = s8 + (w1_6_ * (u3_ + d));
+        const double s9 = (w2_2_ * e2) + (w2_3_ * e3);
+        const double s10 = s9 + (w2_5_ * (u2_ + d));
+        const double z2 = s10 + (w2_6_ * (u3_ + d));
+        const double s11 = (w3_3_ * e3) + (w3_4_ * (u1_ + d));
+        const double s12 = s11 + (w3_5_ * (u2_ + d));
+        const double z3 = s12 + (w3_6_ * (u3_ + d));
+        const double m0f2 = m0 * (m0 - 1.0);
+        v = ((z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))) - d;
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (6.0 < v) {
-            u_now = 6.0;
-        } else if (v < -6.0) {
-            u_now = -6.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -265,9 +270,9 @@ public:
         x3_hat_ = x3;
         d_hat_ = d;
         seen_ = 1U;
-        if ((6.0 < v) || (v < -6.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (elapsed < 40U) {
+        } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
         } else {
             return {u_now, Status::Hold};
@@ -297,6 +302,104 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// 1/100, prediction of x1 from x2.
+    static constexpr double phi1_2_{0.01};
+    /// 1/20000, prediction of x1 from x3.
+    static constexpr double phi1_3_{5e-5};
+    /// 21/128000000, prediction from u.
+    static constexpr double gamma1_{1.640625e-7};
+    /// 1/384000000, prediction from u.
+    static constexpr double late_gamma1_{2.604166666666667e-9};
+    /// 1/6000000, prediction of x1 from d.
+    static constexpr double phi1_4_{1.6666666666666668e-7};
+    /// 1/100, prediction of x2 from x3.
+    static constexpr double phi2_3_{0.01};
+    /// 3/64000, prediction from u.
+    static constexpr double gamma2_{4.6875e-5};
+    /// 1/320000, prediction from u.
+    static constexpr double late_gamma2_{3.125e-6};
+    /// 1/20000, prediction of x2 from d.
+    static constexpr double phi2_4_{5e-5};
+    /// 3/400, prediction from u.
+    static constexpr double gamma3_{0.0075};
+    /// 1/400, prediction from u.
+    static constexpr double late_gamma3_{0.0025};
+    /// 1/100, prediction of x3 from d.
+    static constexpr double phi3_4_{0.01};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{20U};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{-840.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{480.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{-120.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_4_{16.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{90800.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{-43200.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_3_{7200.0};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{-3360000.0};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_2_{960000.0};
+    /// Weight in the observer's gain l4.
+    static constexpr double q4_1_{24000000.0};
+    /// 430/9, gain of the observer at its end.
+    static constexpr double e0_2_{47.77777777777778};
+    /// 8000/3, gain of the observer at its end.
+    static constexpr double e0_3_{2666.6666666666665};
+    /// -200000/3, gain of the observer at its end.
+    static constexpr double e0_4_{-66666.66666666667};
+    /// 2200/27, gain of the observer at its end.
+    static constexpr double e1_2_{81.48148148148148};
+    /// -20000/9, gain of the observer at its end.
+    static constexpr double e1_3_{-2222.222222222222};
+    /// 4000000/9, gain of the observer at its end.
+    static constexpr double e1_4_{444444.44444444444};
+    /// 350/3, gain of the observer at its end.
+    static constexpr double e2_2_{116.66666666666667};
+    /// Gain of the observer at its end.
+    static constexpr double e2_4_{-1000000.0};
+    /// 550/3, gain of the observer at its end.
+    static constexpr double e3_2_{183.33333333333334};
+    /// Gain of the observer at its end.
+    static constexpr double e3_3_{20000.0};
+    /// Gain of the observer at its end.
+    static constexpr double e3_4_{1000000.0};
+    /// 1/100, sample period.
+    static constexpr double h_{0.01};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-120000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{-2100000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w1_3_{-16375.0};
+    /// -1155/16, weight of u3 in the law.
+    static constexpr double w1_6_{-72.1875};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-600000.0};
+    /// Weight of x3 in the law.
+    static constexpr double w2_3_{-13500.0};
+    /// Weight of u2 in the law.
+    static constexpr double w2_5_{-60.0};
+    /// -675/8, weight of u3 in the law.
+    static constexpr double w2_6_{-84.375};
+    /// Weight of x3 in the law.
+    static constexpr double w3_3_{-1200.0};
+    /// Weight of u1 in the law.
+    static constexpr double w3_4_{-12.0};
+    /// Weight of u2 in the law.
+    static constexpr double w3_5_{-12.0};
+    /// Weight of u3 in the law.
+    static constexpr double w3_6_{-9.0};
+    /// Bound of |u|.
+    static constexpr double u_max_{6.0};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{40U};
 
     std::uint32_t start_{}; // tick at which it was armed
     double u1_{}; // input of the last sample

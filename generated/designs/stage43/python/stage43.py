@@ -112,6 +112,105 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/100, prediction of x1 from x2.
+_PHI1_2 = _R(0.01)
+# 1/20000, prediction of x1 from x3.
+_PHI1_3 = _R(5e-5)
+# 21/128000000, prediction from u.
+_GAMMA1 = _R(1.640625e-7)
+# 1/384000000, prediction from u.
+_LATE_GAMMA1 = _R(2.604166666666667e-9)
+# 1/6000000, prediction of x1 from d.
+_PHI1_4 = _R(1.6666666666666668e-7)
+# 1/100, prediction of x2 from x3.
+_PHI2_3 = _R(0.01)
+# 3/64000, prediction from u.
+_GAMMA2 = _R(4.6875e-5)
+# 1/320000, prediction from u.
+_LATE_GAMMA2 = _R(3.125e-6)
+# 1/20000, prediction of x2 from d.
+_PHI2_4 = _R(5e-5)
+# 3/400, prediction from u.
+_GAMMA3 = _R(0.0075)
+# 1/400, prediction from u.
+_LATE_GAMMA3 = _R(0.0025)
+# 1/100, prediction of x3 from d.
+_PHI3_4 = _R(0.01)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 20
+# Weight in the observer's gain l1.
+_Q1_1 = _R(-840.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(480.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(-120.0)
+# Weight in the observer's gain l1.
+_Q1_4 = _R(16.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(90800.0)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(-43200.0)
+# Weight in the observer's gain l2.
+_Q2_3 = _R(7200.0)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(-3360000.0)
+# Weight in the observer's gain l3.
+_Q3_2 = _R(960000.0)
+# Weight in the observer's gain l4.
+_Q4_1 = _R(24000000.0)
+# 430/9, gain of the observer at its end.
+_E0_2 = _R(47.77777777777778)
+# 8000/3, gain of the observer at its end.
+_E0_3 = _R(2666.6666666666665)
+# -200000/3, gain of the observer at its end.
+_E0_4 = _R(-66666.66666666667)
+# 2200/27, gain of the observer at its end.
+_E1_2 = _R(81.48148148148148)
+# -20000/9, gain of the observer at its end.
+_E1_3 = _R(-2222.222222222222)
+# 4000000/9, gain of the observer at its end.
+_E1_4 = _R(444444.44444444444)
+# 350/3, gain of the observer at its end.
+_E2_2 = _R(116.66666666666667)
+# Gain of the observer at its end.
+_E2_4 = _R(-1000000.0)
+# 550/3, gain of the observer at its end.
+_E3_2 = _R(183.33333333333334)
+# Gain of the observer at its end.
+_E3_3 = _R(20000.0)
+# Gain of the observer at its end.
+_E3_4 = _R(1000000.0)
+# 1/100, sample period.
+_H = _R(0.01)
+# Weight of x1 in the law.
+_W1_1 = _R(-120000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(-2100000.0)
+# Weight of x3 in the law.
+_W1_3 = _R(-16375.0)
+# -1155/16, weight of u3 in the law.
+_W1_6 = _R(-72.1875)
+# Weight of x2 in the law.
+_W2_2 = _R(-600000.0)
+# Weight of x3 in the law.
+_W2_3 = _R(-13500.0)
+# Weight of u2 in the law.
+_W2_5 = _R(-60.0)
+# -675/8, weight of u3 in the law.
+_W2_6 = _R(-84.375)
+# Weight of x3 in the law.
+_W3_3 = _R(-1200.0)
+# Weight of u1 in the law.
+_W3_4 = _R(-12.0)
+# Weight of u2 in the law.
+_W3_5 = _R(-12.0)
+# Weight of u3 in the law.
+_W3_6 = _R(-9.0)
+# Bound of |u|.
+_U_MAX = _R(6.0)
+# Samples from the start to rest.
+_SAMPLES = 40
+
 class Stage43:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -163,13 +262,15 @@ class Stage43:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (0.01 * self._x2_hat) + (5e-5 * self._x3_hat)
-            s2 = (1.640625e-7 * self._u4) + (2.604166666666667e-9 * self._u3)
-            p1 = s1 + (1.6666666666666668e-7 * self._d_hat) + s2
-            s3 = self._x2_hat + (0.01 * self._x3_hat) + (5e-5 * self._d_hat)
-            p2 = s3 + ((4.6875e-5 * self._u4) + (3.125e-6 * self._u3))
-            s4 = (0.0075 * self._u4) + (0.0025 * self._u3)
-            p3 = self._x3_hat + (0.01 * self._d_hat) + s4
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._x3_hat)
+            s3 = (_GAMMA1 * self._u4) + (_LATE_GAMMA1 * self._u3)
+            p1 = s2 + (_PHI1_4 * self._d_hat) + s3
+            s4 = self._x2_hat + (_PHI2_3 * self._x3_hat)
+            s5 = (_GAMMA2 * self._u4) + (_LATE_GAMMA2 * self._u3)
+            p2 = s4 + (_PHI2_4 * self._d_hat) + s5
+            s6 = (_GAMMA3 * self._u4) + (_LATE_GAMMA3 * self._u3)
+            p3 = self._x3_hat + (_PHI3_4 * self._d_hat) + s6
             p4 = self._d_hat
 
             # Correct by what is measured.
@@ -179,44 +280,44 @@ class Stage43:
             else:
                 base = p1
                 miss = y[0] - p1
-            left_o = max(20 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if 10.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                r3 = 1.0 / (o0 - 3.0)
-                l1 = (((((((-840.0) * r0) + 480.0) * r1) - 120.0) * r2) + 16.0) * r3
-                l2 = ((((90800.0 * r0) - 43200.0) * r1) + 7200.0) * r2 * r3
-                l3 = (((-3360000.0) * r0) + 960000.0) * r1 * r2 * r3
-                l4 = 24000000.0 * r0 * r1 * r2 * r3
+            if o0 > 10.0:
+                o0f2 = o0 * (o0 - 1.0)
+                o0f3 = o0f2 * (o0 - 2.0)
+                r0 = 1.0 / (o0f3 * (o0 - 3.0))
+                s7 = _Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)
+                l1 = (s7 + (_Q1_4 * o0f3)) * r0
+                l2 = (_Q2_1 + (_Q2_2 * o0) + (_Q2_3 * o0f2)) * r0
+                l3 = (_Q3_1 + (_Q3_2 * o0)) * r0
+                l4 = _Q4_1 * r0
             elif left_o == 10:
                 l1 = _R(1.0)
-                l2 = _R(47.77777777777778)
-                l3 = _R(2666.6666666666665)
-                l4 = _R(-66666.66666666667)
+                l2 = _E0_2
+                l3 = _E0_3
+                l4 = _E0_4
             elif left_o == 9:
                 l1 = _R(1.0)
-                l2 = _R(81.48148148148148)
-                l3 = _R(-2222.222222222222)
-                l4 = _R(444444.44444444444)
+                l2 = _E1_2
+                l3 = _E1_3
+                l4 = _E1_4
             elif left_o == 8:
                 l1 = _R(1.0)
-                l2 = _R(116.66666666666667)
+                l2 = _E2_2
                 l3 = _R(0.0)
-                l4 = _R(-1000000.0)
+                l4 = _E2_4
             else:
                 l1 = _R(1.0)
-                l2 = _R(183.33333333333334)
-                l3 = _R(20000.0)
-                l4 = _R(1000000.0)
+                l2 = _E3_2
+                l3 = _E3_3
+                l4 = _E3_4
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             x3 = p3 + (l3 * miss)
             d = p4 + (l4 * miss)
 
             # The tracking error.
-            t = 0.01 * _R(elapsed)
+            t = _R(elapsed) * _H
             reference1 = t
             reference0 = reference1 * reference1 * 0.5
             e1 = x1 - reference0
@@ -225,19 +326,22 @@ class Stage43:
 
             # The exact law in samples.
             m0 = _R((40 - elapsed) & _WRAP) if elapsed < 34 else _R(6.0)
-            s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3)
-            z1 = s5 - (72.1875 * (self._u3 + d))
-            s6 = (((-600000.0) * e2) - (13500.0 * e3)) - (60.0 * (self._u2 + d))
-            z2 = s6 - (84.375 * (self._u3 + d))
-            s7 = ((-1200.0) * e3) - (12.0 * (self._u1 + d))
-            z3 = (s7 - (12.0 * (self._u2 + d))) - (9.0 * (self._u3 + d))
-            v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d
+            s8 = (_W1_1 * e1) + (_W1_2 * e2) + (_W1_3 * e3)
+            z1 = s8 + (_W1_6 * (self._u3 + d))
+            s9 = (_W2_2 * e2) + (_W2_3 * e3)
+            s10 = s9 + (_W2_5 * (self._u2 + d))
+            z2 = s10 + (_W2_6 * (self._u3 + d))
+            s11 = (_W3_3 * e3) + (_W3_4 * (self._u1 + d))
+            s12 = s11 + (_W3_5 * (self._u2 + d))
+            z3 = s12 + (_W3_6 * (self._u3 + d))
+            m0f2 = m0 * (m0 - 1.0)
+            v = ((z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if 6.0 < v:
-                u_now = _R(6.0)
-            elif v < -6.0:
-                u_now = _R(-6.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u4 = self._u3
@@ -249,9 +353,9 @@ class Stage43:
             self._x3_hat = x3
             self._d_hat = d
             self._seen = 1
-            if (6.0 < v) or (v < -6.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif elapsed < 40:
+            elif elapsed < _SAMPLES:
                 return Control(u_now, Status.OK)
             else:
                 return Control(u_now, Status.HOLD)

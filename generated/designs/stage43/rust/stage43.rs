@@ -167,6 +167,105 @@ pub struct Stage43 {
     clippy::nursery
 )]
 impl Stage43 {
+    /// 1/100, prediction of x1 from x2.
+    const PHI1_2: f64 = 0.01;
+    /// 1/20000, prediction of x1 from x3.
+    const PHI1_3: f64 = 5e-5;
+    /// 21/128000000, prediction from u.
+    const GAMMA1: f64 = 1.640625e-7;
+    /// 1/384000000, prediction from u.
+    const LATE_GAMMA1: f64 = 2.604166666666667e-9;
+    /// 1/6000000, prediction of x1 from d.
+    const PHI1_4: f64 = 1.6666666666666668e-7;
+    /// 1/100, prediction of x2 from x3.
+    const PHI2_3: f64 = 0.01;
+    /// 3/64000, prediction from u.
+    const GAMMA2: f64 = 4.6875e-5;
+    /// 1/320000, prediction from u.
+    const LATE_GAMMA2: f64 = 3.125e-6;
+    /// 1/20000, prediction of x2 from d.
+    const PHI2_4: f64 = 5e-5;
+    /// 3/400, prediction from u.
+    const GAMMA3: f64 = 0.0075;
+    /// 1/400, prediction from u.
+    const LATE_GAMMA3: f64 = 0.0025;
+    /// 1/100, prediction of x3 from d.
+    const PHI3_4: f64 = 0.01;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 20;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = -840.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = 480.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = -120.0;
+    /// Weight in the observer's gain l1.
+    const Q1_4: f64 = 16.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = 90800.0;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = -43200.0;
+    /// Weight in the observer's gain l2.
+    const Q2_3: f64 = 7200.0;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = -3360000.0;
+    /// Weight in the observer's gain l3.
+    const Q3_2: f64 = 960000.0;
+    /// Weight in the observer's gain l4.
+    const Q4_1: f64 = 24000000.0;
+    /// 430/9, gain of the observer at its end.
+    const E0_2: f64 = 47.77777777777778;
+    /// 8000/3, gain of the observer at its end.
+    const E0_3: f64 = 2666.6666666666665;
+    /// -200000/3, gain of the observer at its end.
+    const E0_4: f64 = -66666.66666666667;
+    /// 2200/27, gain of the observer at its end.
+    const E1_2: f64 = 81.48148148148148;
+    /// -20000/9, gain of the observer at its end.
+    const E1_3: f64 = -2222.222222222222;
+    /// 4000000/9, gain of the observer at its end.
+    const E1_4: f64 = 444444.44444444444;
+    /// 350/3, gain of the observer at its end.
+    const E2_2: f64 = 116.66666666666667;
+    /// Gain of the observer at its end.
+    const E2_4: f64 = -1000000.0;
+    /// 550/3, gain of the observer at its end.
+    const E3_2: f64 = 183.33333333333334;
+    /// Gain of the observer at its end.
+    const E3_3: f64 = 20000.0;
+    /// Gain of the observer at its end.
+    const E3_4: f64 = 1000000.0;
+    /// 1/100, sample period.
+    const H: f64 = 0.01;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -120000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = -2100000.0;
+    /// Weight of x3 in the law.
+    const W1_3: f64 = -16375.0;
+    /// -1155/16, weight of u3 in the law.
+    const W1_6: f64 = -72.1875;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -600000.0;
+    /// Weight of x3 in the law.
+    const W2_3: f64 = -13500.0;
+    /// Weight of u2 in the law.
+    const W2_5: f64 = -60.0;
+    /// -675/8, weight of u3 in the law.
+    const W2_6: f64 = -84.375;
+    /// Weight of x3 in the law.
+    const W3_3: f64 = -1200.0;
+    /// Weight of u1 in the law.
+    const W3_4: f64 = -12.0;
+    /// Weight of u2 in the law.
+    const W3_5: f64 = -12.0;
+    /// Weight of u3 in the law.
+    const W3_6: f64 = -9.0;
+    /// Bound of |u|.
+    const U_MAX: f64 = 6.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 40;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -216,13 +315,15 @@ impl Stage43 {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.01 * self.x2_hat) + (5e-5 * self.x3_hat);
-        let s2 = (1.640625e-7 * self.u4) + (2.604166666666667e-9 * self.u3);
-        let p1 = s1 + (1.6666666666666668e-7 * self.d_hat) + s2;
-        let s3 = self.x2_hat + (0.01 * self.x3_hat) + (5e-5 * self.d_hat);
-        let p2 = s3 + ((4.6875e-5 * self.u4) + (3.125e-6 * self.u3));
-        let s4 = (0.0075 * self.u4) + (0.0025 * self.u3);
-        let p3 = self.x3_hat + (0.01 * self.d_hat) + s4;
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.x3_hat);
+        let s3 = (Self::GAMMA1 * self.u4) + (Self::LATE_GAMMA1 * self.u3);
+        let p1 = s2 + (Self::PHI1_4 * self.d_hat) + s3;
+        let s4 = self.x2_hat + (Self::PHI2_3 * self.x3_hat);
+        let s5 = (Self::GAMMA2 * self.u4) + (Self::LATE_GAMMA2 * self.u3);
+        let p2 = s4 + (Self::PHI2_4 * self.d_hat) + s5;
+        let s6 = (Self::GAMMA3 * self.u4) + (Self::LATE_GAMMA3 * self.u3);
+        let p3 = self.x3_hat + (Self::PHI3_4 * self.d_hat) + s6;
         let p4 = self.d_hat;
 
         // Correct by what is measured.
@@ -235,41 +336,41 @@ impl Stage43 {
             base = p1;
             miss = y[0] - p1;
         }
-        let left_o = 20_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
         let l3: f64;
         let l4: f64;
-        if 10.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            let r3 = 1.0 / (o0 - 3.0);
-            l1 = (((((((-840.0) * r0) + 480.0) * r1) - 120.0) * r2) + 16.0) * r3;
-            l2 = ((((90800.0 * r0) - 43200.0) * r1) + 7200.0) * r2 * r3;
-            l3 = (((-3360000.0) * r0) + 960000.0) * r1 * r2 * r3;
-            l4 = 24000000.0 * r0 * r1 * r2 * r3;
+        if o0 > 10.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let o0f3 = o0f2 * (o0 - 2.0);
+            let r0 = 1.0 / (o0f3 * (o0 - 3.0));
+            let s7 = Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2);
+            l1 = (s7 + (Self::Q1_4 * o0f3)) * r0;
+            l2 = (Self::Q2_1 + (Self::Q2_2 * o0) + (Self::Q2_3 * o0f2)) * r0;
+            l3 = (Self::Q3_1 + (Self::Q3_2 * o0)) * r0;
+            l4 = Self::Q4_1 * r0;
         } else if left_o == 10 {
             l1 = 1.0;
-            l2 = 47.77777777777778;
-            l3 = 2666.6666666666665;
-            l4 = -66666.66666666667;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
+            l4 = Self::E0_4;
         } else if left_o == 9 {
             l1 = 1.0;
-            l2 = 81.48148148148148;
-            l3 = -2222.222222222222;
-            l4 = 444444.44444444444;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
+            l4 = Self::E1_4;
         } else if left_o == 8 {
             l1 = 1.0;
-            l2 = 116.66666666666667;
+            l2 = Self::E2_2;
             l3 = 0.0;
-            l4 = -1000000.0;
+            l4 = Self::E2_4;
         } else {
             l1 = 1.0;
-            l2 = 183.33333333333334;
-            l3 = 20000.0;
-            l4 = 1000000.0;
+            l2 = Self::E3_2;
+            l3 = Self::E3_3;
+            l4 = Self::E3_4;
         }
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
@@ -277,7 +378,7 @@ impl Stage43 {
         let d = p4 + (l4 * miss);
 
         // The tracking error.
-        let t = 0.01 * (elapsed as f64);
+        let t = (elapsed as f64) * Self::H;
         let reference1 = t;
         let reference0 = reference1 * reference1 * 0.5;
         let e1 = x1 - reference0;
@@ -291,21 +392,24 @@ impl Stage43 {
         } else {
             6.0
         };
-        let s5 = (((-120000000.0) * e1) - (2100000.0 * e2)) - (16375.0 * e3);
-        let z1 = s5 - (72.1875 * (self.u3 + d));
-        let s6 = (((-600000.0) * e2) - (13500.0 * e3)) - (60.0 * (self.u2 + d));
-        let z2 = s6 - (84.375 * (self.u3 + d));
-        let s7 = ((-1200.0) * e3) - (12.0 * (self.u1 + d));
-        let z3 = (s7 - (12.0 * (self.u2 + d))) - (9.0 * (self.u3 + d));
-        v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - d;
+        let s8 = (Self::W1_1 * e1) + (Self::W1_2 * e2) + (Self::W1_3 * e3);
+        let z1 = s8 + (Self::W1_6 * (self.u3 + d));
+        let s9 = (Self::W2_2 * e2) + (Self::W2_3 * e3);
+        let s10 = s9 + (Self::W2_5 * (self.u2 + d));
+        let z2 = s10 + (Self::W2_6 * (self.u3 + d));
+        let s11 = (Self::W3_3 * e3) + (Self::W3_4 * (self.u1 + d));
+        let s12 = s11 + (Self::W3_5 * (self.u2 + d));
+        let z3 = s12 + (Self::W3_6 * (self.u3 + d));
+        let m0f2 = m0 * (m0 - 1.0);
+        v = ((z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))) - d;
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 6.0 < v {
-            u_now = 6.0;
-        } else if v < -6.0 {
-            u_now = -6.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -318,9 +422,9 @@ impl Stage43 {
         self.x3_hat = x3;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (6.0 < v) || (v < -6.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if elapsed < 40 {
+        } else if elapsed < Self::SAMPLES {
             Status::Ok
         } else {
             Status::Hold

@@ -8,10 +8,10 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   v < -6.0: never false in 688 calls.
- *   v < -6.0: never false in 688 calls.
- *   elapsed < 40U: never true in 688 calls.
- *   elapsed < 40U: never false in 688 calls.
+ *   v < -STAGE43_U_MAX: never false in 688 calls.
+ *   v < -STAGE43_U_MAX: never false in 688 calls.
+ *   elapsed < STAGE43_SAMPLES: never true in 688 calls.
+ *   elapsed < STAGE43_SAMPLES: never false in 688 calls.
  */
 #ifndef STAGE43_SELFTEST_H
 #define STAGE43_SELFTEST_H

@@ -33,12 +33,61 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE44_GAMMA1 9.353143640028875e-5 /* prediction from u */
+#define STAGE44_LATE_GAMMA1 1.4506885866158227e-5 /* prediction from u */
+#define STAGE44_GAMMA2 0.02240015856569381 /* prediction from u */
+#define STAGE44_LATE_GAMMA2 0.008492640667447336 /* prediction from u */
+#define STAGE44_GAMMA3 0.15880933131841984 /* prediction from u */
+#define STAGE44_LATE_GAMMA3 0.21578282027048595 /* prediction from u */
+#define STAGE44_Q1_1 24.0 /* weight in the observer's gain l1 */
+#define STAGE44_Q1_2 (-24.0) /* weight in the observer's gain l1 */
+#define STAGE44_Q1_3 12.0 /* weight in the observer's gain l1 */
+#define STAGE44_Q2_1 (-12889.952685745366) /* weight in the observer's gain l2 */
+#define STAGE44_Q2_2 6304.212917508586 /* weight in the observer's gain l2 */
+#define STAGE44_Q2_3 (-742.8703573620571) /* weight in the observer's gain l2 */
+#define STAGE44_Q3_1 72521.99132748511 /* weight in the observer's gain l3 */
+#define STAGE44_Q3_2 (-24808.851670034343) /* weight in the observer's gain l3 */
+#define STAGE44_Q3_3 2767.4814294482285 /* weight in the observer's gain l3 */
+#define STAGE44_E0_1 1.026982402667958 /* gain of the observer at its end */
+#define STAGE44_E0_2 9.393065010983802 /* gain of the observer at its end */
+#define STAGE44_E0_3 72.1724949708503 /* gain of the observer at its end */
+#define STAGE44_E1_1 1.2412681169536723 /* gain of the observer at its end */
+#define STAGE44_E1_2 (-0.9955098611216602) /* gain of the observer at its end */
+#define STAGE44_E1_3 (-271.5264302640074) /* gain of the observer at its end */
+#define STAGE44_E2_1 2.526982402667958 /* gain of the observer at its end */
+#define STAGE44_E2_2 168.91277532831796 /* gain of the observer at its end */
+#define STAGE44_E2_3 171.81438886235838 /* gain of the observer at its end */
+#define STAGE44_PHI1_2 0.009942671770940647 /* prediction of x1 from x2 */
+#define STAGE44_PHI1_3 0.000617855984662823 /* prediction of x1 from x3 */
+#define STAGE44_PHI2_2 0.9857608243445873 /* prediction of x2 from x2 */
+#define STAGE44_PHI2_3 0.11206871748434033 /* prediction of x2 from x3 */
+#define STAGE44_PHI3_2 (-0.11206871748434033) /* prediction of x3 from x2 */
+#define STAGE44_PHI3_3 0.5412215783233707 /* prediction of x3 from x3 */
+#define STAGE44_HOLD 6.0 /* samples to go at which the gains are held */
+#define STAGE44_W1_1 (-106850.90292251826) /* weight of x1 in the law */
+#define STAGE44_W1_2 (-482.3692808208648) /* weight of x2 in the law */
+#define STAGE44_W1_3 4.807633485406011 /* weight of x3 in the law */
+#define STAGE44_W1_4 (-1.2197801784387233e-74) /* weight of u1 in the law */
+#define STAGE44_W1_5 4.609258112111791 /* weight of u2 in the law */
+#define STAGE44_W2_2 (-633.6322203514217) /* weight of x2 in the law */
+#define STAGE44_W2_3 (-73.36956899710586) /* weight of x3 in the law */
+#define STAGE44_W2_4 (-1.2733281521282373e-76) /* weight of u1 in the law */
+#define STAGE44_W2_5 (-14.786896717013052) /* weight of u2 in the law */
+#define STAGE44_W3_2 4.311208496599377 /* weight of x2 in the law */
+#define STAGE44_W3_3 (-9.337493806987991) /* weight of x3 in the law */
+#define STAGE44_W3_4 (-9.0) /* weight of u1 in the law */
+#define STAGE44_W3_5 (-2.7645844206856207) /* weight of u2 in the law */
+#define STAGE44_C_2 0.10945032226632541 /* weight of x2 in the law */
+#define STAGE44_C_3 0.5296658086896372 /* weight of x3 in the law */
+#define STAGE44_C_4 0.47301759733204196 /* weight of u1 in the law */
+#define STAGE44_C_5 0.15314166966017376 /* weight of u2 in the law */
 ptc_status stage44_init(stage44 *self, const stage44_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((9U < params->samples) && (0.0 < params->u_max)) {
+        if ((params->samples > 9U) && (params->u_max > 0.0)) {
             const uint32_t samples = params->samples;
             const double u_max = params->u_max;
             self->start = 0U;
@@ -102,12 +151,12 @@ ptc_status stage44_step(stage44 *self, uint32_t k, const double y[1], double *u)
                 x2 = 0.0;
                 x3 = 0.0;
             } else {
-                const double s1 = 1.4506885866158227e-5 * self->u2;
-                x1 = self->x1_next + ((9.353143640028875e-5 * self->u3) + s1);
-                const double s2 = 0.008492640667447336 * self->u2;
-                x2 = self->x2_next + ((0.02240015856569381 * self->u3) + s2);
-                const double s3 = 0.15880933131841984 * self->u3;
-                x3 = self->x3_next + (s3 + (0.21578282027048595 * self->u2));
+                const double s1 = (STAGE44_GAMMA1 * self->u3) + (STAGE44_LATE_GAMMA1 * self->u2);
+                x1 = self->x1_next + s1;
+                const double s2 = (STAGE44_GAMMA2 * self->u3) + (STAGE44_LATE_GAMMA2 * self->u2);
+                x2 = self->x2_next + s2;
+                const double s3 = (STAGE44_GAMMA3 * self->u3) + (STAGE44_LATE_GAMMA3 * self->u2);
+                x3 = self->x3_next + s3;
             }
 
             /* Prediction of the next sample. */
@@ -118,60 +167,55 @@ ptc_status stage44_step(stage44 *self, uint32_t k, const double y[1], double *u)
             double l1;
             double l2;
             double l3;
-            if (8.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                const double r2 = 1.0 / (o0 - 2.0);
-                l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.47301759733204196;
-                const double s4 = (((-12889.952685745366) * r0) + 6304.212917508586) * r1;
-                l2 = ((s4 - 742.8703573620571) * r2) + 26.72716299730578;
-                const double s5 = ((72521.99132748511 * r0) - 24808.851670034343) * r1;
-                l3 = ((s5 + 2767.4814294482285) * r2) - 98.86735283457841;
+            if (o0 > 8.0) {
+                const double o0f2 = o0 * (o0 - 1.0);
+                const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+                const double s4 = (STAGE44_Q1_1 + (STAGE44_Q1_2 * o0) + (STAGE44_Q1_3 * o0f2)) * r0;
+                l1 = s4 - 0.47301759733204196;
+                const double s5 = (STAGE44_Q2_1 + (STAGE44_Q2_2 * o0) + (STAGE44_Q2_3 * o0f2)) * r0;
+                l2 = s5 + 26.72716299730578;
+                const double s6 = (STAGE44_Q3_1 + (STAGE44_Q3_2 * o0) + (STAGE44_Q3_3 * o0f2)) * r0;
+                l3 = s6 - 98.86735283457841;
             } else if (left_o == 8U) {
-                l1 = 1.026982402667958;
-                l2 = 9.393065010983802;
-                l3 = 72.1724949708503;
+                l1 = STAGE44_E0_1;
+                l2 = STAGE44_E0_2;
+                l3 = STAGE44_E0_3;
             } else if (left_o == 7U) {
-                l1 = 1.2412681169536723;
-                l2 = -0.9955098611216602;
-                l3 = -271.5264302640074;
+                l1 = STAGE44_E1_1;
+                l2 = STAGE44_E1_2;
+                l3 = STAGE44_E1_3;
             } else {
-                l1 = 2.526982402667958;
-                l2 = 168.91277532831796;
-                l3 = 171.81438886235838;
+                l1 = STAGE44_E2_1;
+                l2 = STAGE44_E2_2;
+                l3 = STAGE44_E2_3;
             }
-            const double s6 = x1 + (0.009942671770940647 * x2) + (0.000617855984662823 * x3);
-            const double x1_on = s6 + (l1 * off1);
-            const double s7 = (0.9857608243445873 * x2) + (0.11206871748434033 * x3);
-            const double x2_on = s7 + (l2 * off1);
-            const double s8 = ((-0.11206871748434033) * x2) + (0.5412215783233707 * x3);
-            const double x3_on = s8 + (l3 * off1);
+            const double x1_on = x1 + (STAGE44_PHI1_2 * x2) + (STAGE44_PHI1_3 * x3) + (l1 * off1);
+            const double x2_on = (STAGE44_PHI2_2 * x2) + (STAGE44_PHI2_3 * x3) + (l2 * off1);
+            const double x3_on = (STAGE44_PHI3_2 * x2) + (STAGE44_PHI3_3 * x3) + (l3 * off1);
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
-            const double s9 = ((double)left) - 2.0;
-            const double m0 = (s9 < 6.0) ? 6.0 : s9;
+            const double s7 = ((double)left) - 2.0;
+            const double m0 = (s7 < STAGE44_HOLD) ? STAGE44_HOLD : s7;
             double v;
 
             /* The exact law in samples. */
-            const double s10 = ((-106850.90292251826) * x1) - (482.3692808208648 * x2);
-            const double s11 = 1.2197801784387233e-74 * self->u1;
-            const double s12 = (s10 + (4.807633485406011 * x3)) - s11;
-            const double z1 = s12 + (4.609258112111791 * self->u2);
-            const double s13 = ((-633.6322203514217) * x2) - (73.36956899710586 * x3);
-            const double s14 = s13 - (1.2733281521282373e-76 * self->u1);
-            const double z2 = s14 - (14.786896717013052 * self->u2);
-            const double s15 = (4.311208496599377 * x2) - (9.337493806987991 * x3);
-            const double z3 = (s15 - (9.0 * self->u1)) - (2.7645844206856207 * self->u2);
-            const double s16 = (0.10945032226632541 * x2) + (0.5296658086896372 * x3);
-            const double s17 = s16 + (0.47301759733204196 * self->u1);
-            const double s18 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0;
-            v = s18 + (s17 + (0.15314166966017376 * self->u2));
+            const double s8 = (STAGE44_W1_1 * x1) + (STAGE44_W1_2 * x2) + (STAGE44_W1_3 * x3);
+            const double z1 = s8 + (STAGE44_W1_4 * self->u1) + (STAGE44_W1_5 * self->u2);
+            const double s9 = (STAGE44_W2_2 * x2) + (STAGE44_W2_3 * x3);
+            const double z2 = s9 + (STAGE44_W2_4 * self->u1) + (STAGE44_W2_5 * self->u2);
+            const double s10 = (STAGE44_W3_2 * x2) + (STAGE44_W3_3 * x3);
+            const double z3 = s10 + (STAGE44_W3_4 * self->u1) + (STAGE44_W3_5 * self->u2);
+            const double m0f1 = m0 + 2.0;
+            const double m0f2 = m0f1 * (m0 + 1.0);
+            const double s11 = (STAGE44_C_2 * x2) + (STAGE44_C_3 * x3);
+            const double s12 = s11 + (STAGE44_C_4 * self->u1) + (STAGE44_C_5 * self->u2);
+            v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * m0)) + s12;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)
                 && PTC_FINITE_F64(x1_on)
                 && PTC_FINITE_F64(x2_on)
                 && PTC_FINITE_F64(x3_on)) {
                 double u_now;
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     u_now = self->u_max;
                 } else if (v < -self->u_max) {
                     u_now = -self->u_max;
@@ -189,9 +233,9 @@ ptc_status stage44_step(stage44 *self, uint32_t k, const double y[1], double *u)
                 self->x3_next = x3_on;
                 self->seen = 1U;
                 *u = u_now;
-                if ((self->u_max < v) || (v < -self->u_max)) {
+                if ((v > self->u_max) || (v < -self->u_max)) {
                     status = PTC_SATURATED;
-                } else if (((double)left) - 2.0 <= 6.0) {
+                } else if (((double)left) - 2.0 <= STAGE44_HOLD) {
                     status = PTC_HOLD;
                 } else {
                     status = PTC_OK;

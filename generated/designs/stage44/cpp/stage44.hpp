@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE44_7070229F_HPP
-#define STAGE44_7070229F_HPP
+#ifndef STAGE44_D7199B5B_HPP
+#define STAGE44_D7199B5B_HPP
 
 #include <array>
 #include <cfloat>
@@ -119,7 +119,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((9U < params.samples) && (0.0 < params.u_max))) {
+        if (!((params.samples > 9U) && (params.u_max > 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -176,12 +176,12 @@ public:
             x2 = 0.0;
             x3 = 0.0;
         } else {
-            const double s1 = 1.4506885866158227e-5 * u2_;
-            x1 = x1_next_ + ((9.353143640028875e-5 * u3_) + s1);
-            const double s2 = 0.008492640667447336 * u2_;
-            x2 = x2_next_ + ((0.02240015856569381 * u3_) + s2);
-            const double s3 = 0.15880933131841984 * u3_;
-            x3 = x3_next_ + (s3 + (0.21578282027048595 * u2_));
+            const double s1 = (gamma1_ * u3_) + (late_gamma1_ * u2_);
+            x1 = x1_next_ + s1;
+            const double s2 = (gamma2_ * u3_) + (late_gamma2_ * u2_);
+            x2 = x2_next_ + s2;
+            const double s3 = (gamma3_ * u3_) + (late_gamma3_ * u2_);
+            x3 = x3_next_ + s3;
         }
 
         // Prediction of the next sample.
@@ -192,58 +192,53 @@ public:
         double l1{};
         double l2{};
         double l3{};
-        if (8.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.47301759733204196;
-            const double s4 = (((-12889.952685745366) * r0) + 6304.212917508586) * r1;
-            l2 = ((s4 - 742.8703573620571) * r2) + 26.72716299730578;
-            const double s5 = ((72521.99132748511 * r0) - 24808.851670034343) * r1;
-            l3 = ((s5 + 2767.4814294482285) * r2) - 98.86735283457841;
+        if (o0 > 8.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            const double s4 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+            l1 = s4 - 0.47301759733204196;
+            const double s5 = (q2_1_ + (q2_2_ * o0) + (q2_3_ * o0f2)) * r0;
+            l2 = s5 + 26.72716299730578;
+            const double s6 = (q3_1_ + (q3_2_ * o0) + (q3_3_ * o0f2)) * r0;
+            l3 = s6 - 98.86735283457841;
         } else if (left_o == 8U) {
-            l1 = 1.026982402667958;
-            l2 = 9.393065010983802;
-            l3 = 72.1724949708503;
+            l1 = e0_1_;
+            l2 = e0_2_;
+            l3 = e0_3_;
         } else if (left_o == 7U) {
-            l1 = 1.2412681169536723;
-            l2 = -0.9955098611216602;
-            l3 = -271.5264302640074;
+            l1 = e1_1_;
+            l2 = e1_2_;
+            l3 = e1_3_;
         } else {
-            l1 = 2.526982402667958;
-            l2 = 168.91277532831796;
-            l3 = 171.81438886235838;
+            l1 = e2_1_;
+            l2 = e2_2_;
+            l3 = e2_3_;
         }
-        const double s6 = x1 + (0.009942671770940647 * x2) + (0.000617855984662823 * x3);
-        const double x1_on = s6 + (l1 * off1);
-        const double s7 = (0.9857608243445873 * x2) + (0.11206871748434033 * x3);
-        const double x2_on = s7 + (l2 * off1);
-        const double s8 = ((-0.11206871748434033) * x2) + (0.5412215783233707 * x3);
-        const double x3_on = s8 + (l3 * off1);
+        const double x1_on = x1 + (phi1_2_ * x2) + (phi1_3_ * x3) + (l1 * off1);
+        const double x2_on = (phi2_2_ * x2) + (phi2_3_ * x3) + (l2 * off1);
+        const double x3_on = (phi3_2_ * x2) + (phi3_3_ * x3) + (l3 * off1);
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const double s9 = static_cast<double>(left) - 2.0;
-        const double m0 = (s9 < 6.0) ? 6.0 : s9;
+        const double s7 = static_cast<double>(left) - 2.0;
+        const double m0 = (s7 < hold_) ? hold_ : s7;
         double v{};
 
         // The exact law in samples.
-        const double s10 = ((-106850.90292251826) * x1) - (482.3692808208648 * x2);
-        const double s11 = 1.2197801784387233e-74 * u1_;
-        const double s12 = (s10 + (4.807633485406011 * x3)) - s11;
-        const double z1 = s12 + (4.609258112111791 * u2_);
-        const double s13 = ((-633.6322203514217) * x2) - (73.36956899710586 * x3);
-        const double s14 = s13 - (1.2733281521282373e-76 * u1_);
-        const double z2 = s14 - (14.786896717013052 * u2_);
-        const double s15 = (4.311208496599377 * x2) - (9.337493806987991 * x3);
-        const double z3 = (s15 - (9.0 * u1_)) - (2.7645844206856207 * u2_);
-        const double s16 = (0.10945032226632541 * x2) + (0.5296658086896372 * x3);
-        const double s17 = s16 + (0.47301759733204196 * u1_);
-        const double s18 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0;
-        v = s18 + (s17 + (0.15314166966017376 * u2_));
+        const double s8 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
+        const double z1 = s8 + (w1_4_ * u1_) + (w1_5_ * u2_);
+        const double s9 = (w2_2_ * x2) + (w2_3_ * x3);
+        const double z2 = s9 + (w2_4_ * u1_) + (w2_5_ * u2_);
+        const double s10 = (w3_2_ * x2) + (w3_3_ * x3);
+        const double z3 = s10 + (w3_4_ * u1_) + (w3_5_ * u2_);
+        const double m0f1 = m0 + 2.0;
+        const double m0f2 = m0f1 * (m0 + 1.0);
+        const double s11 = (c_2_ * x2) + (c_3_ * x3);
+        const double s12 = s11 + (c_4_ * u1_) + (c_5_ * u2_);
+        v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * m0)) + s12;
         if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -260,9 +255,9 @@ public:
         x3_hat_ = x3;
         x3_next_ = x3_on;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) - 2.0 <= 6.0) {
+        } else if (static_cast<double>(left) - 2.0 <= hold_) {
             return {u_now, Status::Hold};
         } else {
             return {u_now, Status::Ok};
@@ -286,6 +281,102 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Prediction from u.
+    static constexpr double gamma1_{9.353143640028875e-5};
+    /// Prediction from u.
+    static constexpr double late_gamma1_{1.4506885866158227e-5};
+    /// Prediction from u.
+    static constexpr double gamma2_{0.02240015856569381};
+    /// Prediction from u.
+    static constexpr double late_gamma2_{0.008492640667447336};
+    /// Prediction from u.
+    static constexpr double gamma3_{0.15880933131841984};
+    /// Prediction from u.
+    static constexpr double late_gamma3_{0.21578282027048595};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{24.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-24.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{12.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{-12889.952685745366};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{6304.212917508586};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_3_{-742.8703573620571};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{72521.99132748511};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_2_{-24808.851670034343};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_3_{2767.4814294482285};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_{1.026982402667958};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_{9.393065010983802};
+    /// Gain of the observer at its end.
+    static constexpr double e0_3_{72.1724949708503};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_{1.2412681169536723};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_{-0.9955098611216602};
+    /// Gain of the observer at its end.
+    static constexpr double e1_3_{-271.5264302640074};
+    /// Gain of the observer at its end.
+    static constexpr double e2_1_{2.526982402667958};
+    /// Gain of the observer at its end.
+    static constexpr double e2_2_{168.91277532831796};
+    /// Gain of the observer at its end.
+    static constexpr double e2_3_{171.81438886235838};
+    /// Prediction of x1 from x2.
+    static constexpr double phi1_2_{0.009942671770940647};
+    /// Prediction of x1 from x3.
+    static constexpr double phi1_3_{0.000617855984662823};
+    /// Prediction of x2 from x2.
+    static constexpr double phi2_2_{0.9857608243445873};
+    /// Prediction of x2 from x3.
+    static constexpr double phi2_3_{0.11206871748434033};
+    /// Prediction of x3 from x2.
+    static constexpr double phi3_2_{-0.11206871748434033};
+    /// Prediction of x3 from x3.
+    static constexpr double phi3_3_{0.5412215783233707};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{6.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-106850.90292251826};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{-482.3692808208648};
+    /// Weight of x3 in the law.
+    static constexpr double w1_3_{4.807633485406011};
+    /// Weight of u1 in the law.
+    static constexpr double w1_4_{-1.2197801784387233e-74};
+    /// Weight of u2 in the law.
+    static constexpr double w1_5_{4.609258112111791};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-633.6322203514217};
+    /// Weight of x3 in the law.
+    static constexpr double w2_3_{-73.36956899710586};
+    /// Weight of u1 in the law.
+    static constexpr double w2_4_{-1.2733281521282373e-76};
+    /// Weight of u2 in the law.
+    static constexpr double w2_5_{-14.786896717013052};
+    /// Weight of x2 in the law.
+    static constexpr double w3_2_{4.311208496599377};
+    /// Weight of x3 in the law.
+    static constexpr double w3_3_{-9.337493806987991};
+    /// Weight of u1 in the law.
+    static constexpr double w3_4_{-9.0};
+    /// Weight of u2 in the law.
+    static constexpr double w3_5_{-2.7645844206856207};
+    /// Weight of x2 in the law.
+    static constexpr double c_2_{0.10945032226632541};
+    /// Weight of x3 in the law.
+    static constexpr double c_3_{0.5296658086896372};
+    /// Weight of u1 in the law.
+    static constexpr double c_4_{0.47301759733204196};
+    /// Weight of u2 in the law.
+    static constexpr double c_5_{0.15314166966017376};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest

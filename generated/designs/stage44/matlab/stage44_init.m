@@ -59,10 +59,10 @@ if given.samples ~= params.samples
     error('stage44:param', 'params.samples is %g; legal: 0..2^32 - 1', params.samples);
 end
 given.u_max = double(params.u_max);
-if ~(uint32(9) < given.samples)
+if ~(given.samples > uint32(9))
     error('stage44:param', 'params.samples is %g; legal: >= 10', params.samples);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage44:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 samples = given.samples;

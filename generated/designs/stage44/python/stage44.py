@@ -108,6 +108,103 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(9.353143640028875e-5)
+# Prediction from u.
+_LATE_GAMMA1 = _R(1.4506885866158227e-5)
+# Prediction from u.
+_GAMMA2 = _R(0.02240015856569381)
+# Prediction from u.
+_LATE_GAMMA2 = _R(0.008492640667447336)
+# Prediction from u.
+_GAMMA3 = _R(0.15880933131841984)
+# Prediction from u.
+_LATE_GAMMA3 = _R(0.21578282027048595)
+# Weight in the observer's gain l1.
+_Q1_1 = _R(24.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-24.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(-12889.952685745366)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(6304.212917508586)
+# Weight in the observer's gain l2.
+_Q2_3 = _R(-742.8703573620571)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(72521.99132748511)
+# Weight in the observer's gain l3.
+_Q3_2 = _R(-24808.851670034343)
+# Weight in the observer's gain l3.
+_Q3_3 = _R(2767.4814294482285)
+# Gain of the observer at its end.
+_E0_1 = _R(1.026982402667958)
+# Gain of the observer at its end.
+_E0_2 = _R(9.393065010983802)
+# Gain of the observer at its end.
+_E0_3 = _R(72.1724949708503)
+# Gain of the observer at its end.
+_E1_1 = _R(1.2412681169536723)
+# Gain of the observer at its end.
+_E1_2 = _R(-0.9955098611216602)
+# Gain of the observer at its end.
+_E1_3 = _R(-271.5264302640074)
+# Gain of the observer at its end.
+_E2_1 = _R(2.526982402667958)
+# Gain of the observer at its end.
+_E2_2 = _R(168.91277532831796)
+# Gain of the observer at its end.
+_E2_3 = _R(171.81438886235838)
+# Prediction of x1 from x2.
+_PHI1_2 = _R(0.009942671770940647)
+# Prediction of x1 from x3.
+_PHI1_3 = _R(0.000617855984662823)
+# Prediction of x2 from x2.
+_PHI2_2 = _R(0.9857608243445873)
+# Prediction of x2 from x3.
+_PHI2_3 = _R(0.11206871748434033)
+# Prediction of x3 from x2.
+_PHI3_2 = _R(-0.11206871748434033)
+# Prediction of x3 from x3.
+_PHI3_3 = _R(0.5412215783233707)
+# Samples to go at which the gains are held.
+_HOLD = _R(6.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-106850.90292251826)
+# Weight of x2 in the law.
+_W1_2 = _R(-482.3692808208648)
+# Weight of x3 in the law.
+_W1_3 = _R(4.807633485406011)
+# Weight of u1 in the law.
+_W1_4 = _R(-1.2197801784387233e-74)
+# Weight of u2 in the law.
+_W1_5 = _R(4.609258112111791)
+# Weight of x2 in the law.
+_W2_2 = _R(-633.6322203514217)
+# Weight of x3 in the law.
+_W2_3 = _R(-73.36956899710586)
+# Weight of u1 in the law.
+_W2_4 = _R(-1.2733281521282373e-76)
+# Weight of u2 in the law.
+_W2_5 = _R(-14.786896717013052)
+# Weight of x2 in the law.
+_W3_2 = _R(4.311208496599377)
+# Weight of x3 in the law.
+_W3_3 = _R(-9.337493806987991)
+# Weight of u1 in the law.
+_W3_4 = _R(-9.0)
+# Weight of u2 in the law.
+_W3_5 = _R(-2.7645844206856207)
+# Weight of x2 in the law.
+_C_2 = _R(0.10945032226632541)
+# Weight of x3 in the law.
+_C_3 = _R(0.5296658086896372)
+# Weight of u1 in the law.
+_C_4 = _R(0.47301759733204196)
+# Weight of u2 in the law.
+_C_5 = _R(0.15314166966017376)
+
 class Stage44:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -120,9 +217,9 @@ class Stage44:
             if given_samples != given_samples & _WRAP:
                 raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
             given_u_max = _R(params.u_max)
-            if not (9 < given_samples):
+            if not (given_samples > 9):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 10")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             samples = given_samples
             u_max = given_u_max
@@ -178,63 +275,58 @@ class Stage44:
                 x2 = _R(0.0)
                 x3 = _R(0.0)
             else:
-                s1 = 1.4506885866158227e-5 * self._u2
-                x1 = self._x1_next + ((9.353143640028875e-5 * self._u3) + s1)
-                s2 = 0.008492640667447336 * self._u2
-                x2 = self._x2_next + ((0.02240015856569381 * self._u3) + s2)
-                s3 = 0.15880933131841984 * self._u3
-                x3 = self._x3_next + (s3 + (0.21578282027048595 * self._u2))
+                s1 = (_GAMMA1 * self._u3) + (_LATE_GAMMA1 * self._u2)
+                x1 = self._x1_next + s1
+                s2 = (_GAMMA2 * self._u3) + (_LATE_GAMMA2 * self._u2)
+                x2 = self._x2_next + s2
+                s3 = (_GAMMA3 * self._u3) + (_LATE_GAMMA3 * self._u2)
+                x3 = self._x3_next + s3
 
             # Prediction of the next sample.
             miss1 = y[0] - x1
             off1 = miss1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = _R(left_o)
-            if 8.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.47301759733204196
-                s4 = (((-12889.952685745366) * r0) + 6304.212917508586) * r1
-                l2 = ((s4 - 742.8703573620571) * r2) + 26.72716299730578
-                s5 = ((72521.99132748511 * r0) - 24808.851670034343) * r1
-                l3 = ((s5 + 2767.4814294482285) * r2) - 98.86735283457841
+            if o0 > 8.0:
+                o0f2 = o0 * (o0 - 1.0)
+                r0 = 1.0 / (o0f2 * (o0 - 2.0))
+                s4 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+                l1 = s4 - 0.47301759733204196
+                s5 = (_Q2_1 + (_Q2_2 * o0) + (_Q2_3 * o0f2)) * r0
+                l2 = s5 + 26.72716299730578
+                s6 = (_Q3_1 + (_Q3_2 * o0) + (_Q3_3 * o0f2)) * r0
+                l3 = s6 - 98.86735283457841
             elif left_o == 8:
-                l1 = _R(1.026982402667958)
-                l2 = _R(9.393065010983802)
-                l3 = _R(72.1724949708503)
+                l1 = _E0_1
+                l2 = _E0_2
+                l3 = _E0_3
             elif left_o == 7:
-                l1 = _R(1.2412681169536723)
-                l2 = _R(-0.9955098611216602)
-                l3 = _R(-271.5264302640074)
+                l1 = _E1_1
+                l2 = _E1_2
+                l3 = _E1_3
             else:
-                l1 = _R(2.526982402667958)
-                l2 = _R(168.91277532831796)
-                l3 = _R(171.81438886235838)
-            s6 = x1 + (0.009942671770940647 * x2) + (0.000617855984662823 * x3)
-            x1_on = s6 + (l1 * off1)
-            s7 = (0.9857608243445873 * x2) + (0.11206871748434033 * x3)
-            x2_on = s7 + (l2 * off1)
-            s8 = ((-0.11206871748434033) * x2) + (0.5412215783233707 * x3)
-            x3_on = s8 + (l3 * off1)
+                l1 = _E2_1
+                l2 = _E2_2
+                l3 = _E2_3
+            x1_on = x1 + (_PHI1_2 * x2) + (_PHI1_3 * x3) + (l1 * off1)
+            x2_on = (_PHI2_2 * x2) + (_PHI2_3 * x3) + (l2 * off1)
+            x3_on = (_PHI3_2 * x2) + (_PHI3_3 * x3) + (l3 * off1)
             left = max(self._samples - elapsed, 0)
-            s9 = _R(left) - 2.0
-            m0 = max(s9, _R(6.0))
+            s7 = _R(left) - 2.0
+            m0 = max(s7, _HOLD)
 
             # The exact law in samples.
-            s10 = ((-106850.90292251826) * x1) - (482.3692808208648 * x2)
-            s11 = 1.2197801784387233e-74 * self._u1
-            s12 = (s10 + (4.807633485406011 * x3)) - s11
-            z1 = s12 + (4.609258112111791 * self._u2)
-            s13 = ((-633.6322203514217) * x2) - (73.36956899710586 * x3)
-            s14 = s13 - (1.2733281521282373e-76 * self._u1)
-            z2 = s14 - (14.786896717013052 * self._u2)
-            s15 = (4.311208496599377 * x2) - (9.337493806987991 * x3)
-            z3 = (s15 - (9.0 * self._u1)) - (2.7645844206856207 * self._u2)
-            s16 = (0.10945032226632541 * x2) + (0.5296658086896372 * x3)
-            s17 = s16 + (0.47301759733204196 * self._u1)
-            s18 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0
-            v = s18 + (s17 + (0.15314166966017376 * self._u2))
+            s8 = (_W1_1 * x1) + (_W1_2 * x2) + (_W1_3 * x3)
+            z1 = s8 + (_W1_4 * self._u1) + (_W1_5 * self._u2)
+            s9 = (_W2_2 * x2) + (_W2_3 * x3)
+            z2 = s9 + (_W2_4 * self._u1) + (_W2_5 * self._u2)
+            s10 = (_W3_2 * x2) + (_W3_3 * x3)
+            z3 = s10 + (_W3_4 * self._u1) + (_W3_5 * self._u2)
+            m0f1 = m0 + 2.0
+            m0f2 = m0f1 * (m0 + 1.0)
+            s11 = (_C_2 * x2) + (_C_3 * x3)
+            s12 = s11 + (_C_4 * self._u1) + (_C_5 * self._u2)
+            v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * m0)) + s12
             if not (
                 np.isfinite(v)
                 and np.isfinite(x1_on)
@@ -242,7 +334,7 @@ class Stage44:
                 and np.isfinite(x3_on)
             ):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -258,9 +350,9 @@ class Stage44:
             self._x3_hat = x3
             self._x3_next = x3_on
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) - 2.0 <= 6.0:
+            elif _R(left) - 2.0 <= _HOLD:
                 return Control(u_now, Status.HOLD)
             else:
                 return Control(u_now, Status.OK)

@@ -169,12 +169,109 @@ pub struct Stage44 {
     clippy::nursery
 )]
 impl Stage44 {
+    /// Prediction from u.
+    const GAMMA1: f64 = 9.353143640028875e-5;
+    /// Prediction from u.
+    const LATE_GAMMA1: f64 = 1.4506885866158227e-5;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.02240015856569381;
+    /// Prediction from u.
+    const LATE_GAMMA2: f64 = 0.008492640667447336;
+    /// Prediction from u.
+    const GAMMA3: f64 = 0.15880933131841984;
+    /// Prediction from u.
+    const LATE_GAMMA3: f64 = 0.21578282027048595;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 24.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -24.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 12.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = -12889.952685745366;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = 6304.212917508586;
+    /// Weight in the observer's gain l2.
+    const Q2_3: f64 = -742.8703573620571;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = 72521.99132748511;
+    /// Weight in the observer's gain l3.
+    const Q3_2: f64 = -24808.851670034343;
+    /// Weight in the observer's gain l3.
+    const Q3_3: f64 = 2767.4814294482285;
+    /// Gain of the observer at its end.
+    const E0_1: f64 = 1.026982402667958;
+    /// Gain of the observer at its end.
+    const E0_2: f64 = 9.393065010983802;
+    /// Gain of the observer at its end.
+    const E0_3: f64 = 72.1724949708503;
+    /// Gain of the observer at its end.
+    const E1_1: f64 = 1.2412681169536723;
+    /// Gain of the observer at its end.
+    const E1_2: f64 = -0.9955098611216602;
+    /// Gain of the observer at its end.
+    const E1_3: f64 = -271.5264302640074;
+    /// Gain of the observer at its end.
+    const E2_1: f64 = 2.526982402667958;
+    /// Gain of the observer at its end.
+    const E2_2: f64 = 168.91277532831796;
+    /// Gain of the observer at its end.
+    const E2_3: f64 = 171.81438886235838;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.009942671770940647;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f64 = 0.000617855984662823;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9857608243445873;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f64 = 0.11206871748434033;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f64 = -0.11206871748434033;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f64 = 0.5412215783233707;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 6.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -106850.90292251826;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = -482.3692808208648;
+    /// Weight of x3 in the law.
+    const W1_3: f64 = 4.807633485406011;
+    /// Weight of u1 in the law.
+    const W1_4: f64 = -1.2197801784387233e-74;
+    /// Weight of u2 in the law.
+    const W1_5: f64 = 4.609258112111791;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -633.6322203514217;
+    /// Weight of x3 in the law.
+    const W2_3: f64 = -73.36956899710586;
+    /// Weight of u1 in the law.
+    const W2_4: f64 = -1.2733281521282373e-76;
+    /// Weight of u2 in the law.
+    const W2_5: f64 = -14.786896717013052;
+    /// Weight of x2 in the law.
+    const W3_2: f64 = 4.311208496599377;
+    /// Weight of x3 in the law.
+    const W3_3: f64 = -9.337493806987991;
+    /// Weight of u1 in the law.
+    const W3_4: f64 = -9.0;
+    /// Weight of u2 in the law.
+    const W3_5: f64 = -2.7645844206856207;
+    /// Weight of x2 in the law.
+    const C_2: f64 = 0.10945032226632541;
+    /// Weight of x3 in the law.
+    const C_3: f64 = 0.5296658086896372;
+    /// Weight of u1 in the law.
+    const C_4: f64 = 0.47301759733204196;
+    /// Weight of u2 in the law.
+    const C_5: f64 = 0.15314166966017376;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage44Params) -> Result<Self, Error> {
-        if !((9 < params.samples) && (0.0 < params.u_max)) {
+        if !((params.samples > 9) && (params.u_max > 0.0)) {
             return Err(Error::Param);
         }
         let samples = params.samples;
@@ -234,12 +331,12 @@ impl Stage44 {
             x2 = 0.0;
             x3 = 0.0;
         } else {
-            let s1 = 1.4506885866158227e-5 * self.u2;
-            x1 = self.x1_next + ((9.353143640028875e-5 * self.u3) + s1);
-            let s2 = 0.008492640667447336 * self.u2;
-            x2 = self.x2_next + ((0.02240015856569381 * self.u3) + s2);
-            let s3 = 0.15880933131841984 * self.u3;
-            x3 = self.x3_next + (s3 + (0.21578282027048595 * self.u2));
+            let s1 = (Self::GAMMA1 * self.u3) + (Self::LATE_GAMMA1 * self.u2);
+            x1 = self.x1_next + s1;
+            let s2 = (Self::GAMMA2 * self.u3) + (Self::LATE_GAMMA2 * self.u2);
+            x2 = self.x2_next + s2;
+            let s3 = (Self::GAMMA3 * self.u3) + (Self::LATE_GAMMA3 * self.u2);
+            x3 = self.x3_next + s3;
         }
 
         // Prediction of the next sample.
@@ -250,58 +347,53 @@ impl Stage44 {
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            l1 = (((((24.0 * r0) - 24.0) * r1) + 12.0) * r2) - 0.47301759733204196;
-            let s4 = (((-12889.952685745366) * r0) + 6304.212917508586) * r1;
-            l2 = ((s4 - 742.8703573620571) * r2) + 26.72716299730578;
-            let s5 = ((72521.99132748511 * r0) - 24808.851670034343) * r1;
-            l3 = ((s5 + 2767.4814294482285) * r2) - 98.86735283457841;
+        if o0 > 8.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            let s4 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+            l1 = s4 - 0.47301759733204196;
+            let s5 = (Self::Q2_1 + (Self::Q2_2 * o0) + (Self::Q2_3 * o0f2)) * r0;
+            l2 = s5 + 26.72716299730578;
+            let s6 = (Self::Q3_1 + (Self::Q3_2 * o0) + (Self::Q3_3 * o0f2)) * r0;
+            l3 = s6 - 98.86735283457841;
         } else if left_o == 8 {
-            l1 = 1.026982402667958;
-            l2 = 9.393065010983802;
-            l3 = 72.1724949708503;
+            l1 = Self::E0_1;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
         } else if left_o == 7 {
-            l1 = 1.2412681169536723;
-            l2 = -0.9955098611216602;
-            l3 = -271.5264302640074;
+            l1 = Self::E1_1;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
         } else {
-            l1 = 2.526982402667958;
-            l2 = 168.91277532831796;
-            l3 = 171.81438886235838;
+            l1 = Self::E2_1;
+            l2 = Self::E2_2;
+            l3 = Self::E2_3;
         }
-        let s6 = x1 + (0.009942671770940647 * x2) + (0.000617855984662823 * x3);
-        let x1_on = s6 + (l1 * off1);
-        let s7 = (0.9857608243445873 * x2) + (0.11206871748434033 * x3);
-        let x2_on = s7 + (l2 * off1);
-        let s8 = ((-0.11206871748434033) * x2) + (0.5412215783233707 * x3);
-        let x3_on = s8 + (l3 * off1);
+        let x1_on = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3) + (l1 * off1);
+        let x2_on = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3) + (l2 * off1);
+        let x3_on = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3) + (l3 * off1);
         let left = self.samples.saturating_sub(elapsed);
-        let s9 = (left as f64) - 2.0;
-        let m0 = if s9 < 6.0 { 6.0 } else { s9 };
+        let s7 = (left as f64) - 2.0;
+        let m0 = if s7 < Self::HOLD { Self::HOLD } else { s7 };
         let v: f64;
 
         // The exact law in samples.
-        let s10 = ((-106850.90292251826) * x1) - (482.3692808208648 * x2);
-        let s11 = 1.2197801784387233e-74 * self.u1;
-        let s12 = (s10 + (4.807633485406011 * x3)) - s11;
-        let z1 = s12 + (4.609258112111791 * self.u2);
-        let s13 = ((-633.6322203514217) * x2) - (73.36956899710586 * x3);
-        let s14 = s13 - (1.2733281521282373e-76 * self.u1);
-        let z2 = s14 - (14.786896717013052 * self.u2);
-        let s15 = (4.311208496599377 * x2) - (9.337493806987991 * x3);
-        let z3 = (s15 - (9.0 * self.u1)) - (2.7645844206856207 * self.u2);
-        let s16 = (0.10945032226632541 * x2) + (0.5296658086896372 * x3);
-        let s17 = s16 + (0.47301759733204196 * self.u1);
-        let s18 = ((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0;
-        v = s18 + (s17 + (0.15314166966017376 * self.u2));
+        let s8 = (Self::W1_1 * x1) + (Self::W1_2 * x2) + (Self::W1_3 * x3);
+        let z1 = s8 + (Self::W1_4 * self.u1) + (Self::W1_5 * self.u2);
+        let s9 = (Self::W2_2 * x2) + (Self::W2_3 * x3);
+        let z2 = s9 + (Self::W2_4 * self.u1) + (Self::W2_5 * self.u2);
+        let s10 = (Self::W3_2 * x2) + (Self::W3_3 * x3);
+        let z3 = s10 + (Self::W3_4 * self.u1) + (Self::W3_5 * self.u2);
+        let m0f1 = m0 + 2.0;
+        let m0f2 = m0f1 * (m0 + 1.0);
+        let s11 = (Self::C_2 * x2) + (Self::C_3 * x3);
+        let s12 = s11 + (Self::C_4 * self.u1) + (Self::C_5 * self.u2);
+        v = ((z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * m0)) + s12;
         if !(v.is_finite() && x1_on.is_finite() && x2_on.is_finite() && x3_on.is_finite()) {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -318,9 +410,9 @@ impl Stage44 {
         self.x3_hat = x3;
         self.x3_next = x3_on;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
-        } else if (left as f64) - 2.0 <= 6.0 {
+        } else if (left as f64) - 2.0 <= Self::HOLD {
             Status::Hold
         } else {
             Status::Ok

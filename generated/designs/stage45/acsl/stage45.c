@@ -32,25 +32,31 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE45_B_3 (-2.0f) /* weight of u1 in the law */
+#define STAGE45_B_4 (-3.0f) /* weight of u2 in the law */
+#define STAGE45_B_5 (-4.0f) /* weight of u3 in the law */
+#define STAGE45_B_6 (-5.0f) /* weight of u4 in the law */
+#define STAGE45_B_7 (-6.0f) /* weight of u5 in the law */
 ptc_status stage45_init(stage45 *self, const stage45_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((6U < params->samples)
+        if ((params->samples > 6U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (0.0f < params->u_max)
+            && (params->u_max > 0.0f)
             && (1e-18f <= params->a)
             && (params->a <= 1e18f)
             && PTC_FINITE_F32(params->k[0])
             && PTC_FINITE_F32(params->k[1])
             && PTC_FINITE_F32(params->deadbeat)
-            && (0.0f <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0f)) {
             const uint32_t samples = params->samples;
             const float s1 = ((params->k[1] / params->a) - 1.0f) + 2.0f;
             const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-            const float deadbeat = (0.0f < params->deadbeat) ? params->deadbeat : s2;
+            const float deadbeat = (params->deadbeat > 0.0f) ? params->deadbeat : s2;
             const float s3 = -(params->k[0] / (params->a * params->a));
             const float w1_1 = s3 * (1.0f / (params->h * params->h));
             const float s4 = 4.5f * (-(params->k[0] / (params->a * params->a)));
@@ -75,8 +81,8 @@ ptc_status stage45_init(stage45 *self, const stage45_params *params)
                 && PTC_FINITE_F32(w2_3)
                 && PTC_FINITE_F32(b_1)
                 && PTC_FINITE_F32(b_2)
-                && (1e-30f <= params->h * params->h)
-                && (1e-30f <= 1.0f / (params->h * params->h))) {
+                && (params->h * params->h >= 1e-30f)
+                && (1.0f / (params->h * params->h) >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0f;
@@ -123,7 +129,7 @@ ptc_status stage45_step(stage45 *self, uint32_t k, const float x[2], float *u)
     const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
     const float m0 = ((float)left) - 5.0f;
     float v;
-    if (self->deadbeat < m0) {
+    if (m0 > self->deadbeat) {
         /* The exact law in samples. */
         const float s1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_4 * self->u2);
         const float s2 = s1 + (self->w1_5 * self->u3) + (self->w1_6 * self->u4);
@@ -131,17 +137,17 @@ ptc_status stage45_step(stage45 *self, uint32_t k, const float x[2], float *u)
         const float s3 = (self->w2_2 * x2) + (self->w2_3 * self->u1);
         const float s4 = s3 + (self->w2_3 * self->u2) + (self->w2_3 * self->u3);
         const float z2 = s4 + (self->w2_3 * self->u4) + (self->w2_3 * self->u5);
-        v = ((z1 / m0) + z2) / (m0 - 1.0f);
+        v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0f));
     } else {
         /* Deadbeat. */
-        const float s5 = ((self->b_1 * x1) + (self->b_2 * x2)) - (2.0f * self->u1);
-        const float s6 = ((s5 - (3.0f * self->u2)) - (4.0f * self->u3)) - (5.0f * self->u4);
-        v = s6 - (6.0f * self->u5);
+        const float s5 = (self->b_1 * x1) + (self->b_2 * x2) + (STAGE45_B_3 * self->u1);
+        const float s6 = s5 + (STAGE45_B_4 * self->u2) + (STAGE45_B_5 * self->u3);
+        v = s6 + (STAGE45_B_6 * self->u4) + (STAGE45_B_7 * self->u5);
     }
     status = PTC_E_RANGE;
     if (PTC_FINITE_F32(v)) {
         float u_now;
-        if (self->u_max < v) {
+        if (v > self->u_max) {
             u_now = self->u_max;
         } else if (v < -self->u_max) {
             u_now = -self->u_max;
@@ -154,7 +160,7 @@ ptc_status stage45_step(stage45 *self, uint32_t k, const float x[2], float *u)
         self->u2 = self->u1;
         self->u1 = u_now;
         *u = u_now;
-        if ((self->u_max < v) || (v < -self->u_max)) {
+        if ((v > self->u_max) || (v < -self->u_max)) {
             status = PTC_SATURATED;
         } else if (elapsed < self->samples) {
             status = PTC_OK;

@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE45_835D4483_H
-#define STAGE45_835D4483_H
+#ifndef STAGE45_52B0ED51_H
+#define STAGE45_52B0ED51_H
 
 #include <stdint.h>
 
@@ -86,16 +86,16 @@ typedef struct stage45 {
     float u4; /* input of 4 samples ago */
     float u5; /* input of 5 samples ago */
     float deadbeat; /* samples to go at which deadbeat takes over */
-    float w1_1; /* weight of a state in the law */
-    float w1_2; /* weight of a state in the law */
-    float w1_4; /* weight of a state in the law */
-    float w1_5; /* weight of a state in the law */
-    float w1_6; /* weight of a state in the law */
-    float w1_7; /* weight of a state in the law */
-    float w2_2; /* weight of a state in the law */
-    float w2_3; /* weight of a state in the law */
-    float b_1; /* weight of a state in the law */
-    float b_2; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
+    float w1_2; /* weight of x2 in the law */
+    float w1_4; /* weight of u2 in the law */
+    float w1_5; /* weight of u3 in the law */
+    float w1_6; /* weight of u4 in the law */
+    float w1_7; /* weight of u5 in the law */
+    float w2_2; /* weight of x2 in the law */
+    float w2_3; /* weight of u1 in the law */
+    float b_1; /* weight of x1 in the law */
+    float b_2; /* weight of x2 in the law */
     float u_max; /* bound of |u| */
 } stage45;
 

@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE45_C11DD32C_HPP
-#define STAGE45_C11DD32C_HPP
+#ifndef STAGE45_A5F92060_HPP
+#define STAGE45_A5F92060_HPP
 
 #include <array>
 #include <cfloat>
@@ -118,22 +118,22 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((6U < params.samples)
+        if (!((params.samples > 6U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
-                && (0.0f < params.u_max)
+                && (params.u_max > 0.0f)
                 && (1e-18f <= params.a)
                 && (params.a <= 1e18f)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.deadbeat)
-                && (0.0f <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const float s1 = ((params.k[1] / params.a) - 1.0f) + 2.0f;
         const float s2 = (s1 < 4.0f) ? 4.0f : s1;
-        const float deadbeat = (0.0f < params.deadbeat) ? params.deadbeat : s2;
+        const float deadbeat = (params.deadbeat > 0.0f) ? params.deadbeat : s2;
         const float s3 = -(params.k[0] / (params.a * params.a));
         const float w1_1 = s3 * (1.0f / (params.h * params.h));
         const float s4 = 4.5f * (-(params.k[0] / (params.a * params.a)));
@@ -158,8 +158,8 @@ public:
                 && finite(w2_3)
                 && finite(b_1)
                 && finite(b_2)
-                && (1e-30f <= params.h * params.h)
-                && (1e-30f <= 1.0f / (params.h * params.h)))) {
+                && (params.h * params.h >= 1e-30f)
+                && (1.0f / (params.h * params.h) >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -202,7 +202,7 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const float m0 = static_cast<float>(left) - 5.0f;
         float v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const float s1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_4_ * u2_);
             const float s2 = s1 + (w1_5_ * u3_) + (w1_6_ * u4_);
@@ -210,18 +210,18 @@ public:
             const float s3 = (w2_2_ * x2) + (w2_3_ * u1_);
             const float s4 = s3 + (w2_3_ * u2_) + (w2_3_ * u3_);
             const float z2 = s4 + (w2_3_ * u4_) + (w2_3_ * u5_);
-            v = ((z1 / m0) + z2) / (m0 - 1.0f);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0f));
         } else {
             // Deadbeat.
-            const float s5 = ((b_1_ * x1) + (b_2_ * x2)) - (2.0f * u1_);
-            const float s6 = ((s5 - (3.0f * u2_)) - (4.0f * u3_)) - (5.0f * u4_);
-            v = s6 - (6.0f * u5_);
+            const float s5 = (b_1_ * x1) + (b_2_ * x2) + (b_3_ * u1_);
+            const float s6 = s5 + (b_4_ * u2_) + (b_5_ * u3_);
+            v = s6 + (b_6_ * u4_) + (b_7_ * u5_);
         }
         if (!finite(v)) {
             return {0.0f, Status::Range};
         }
         float u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -233,7 +233,7 @@ public:
         u3_ = u2_;
         u2_ = u1_;
         u1_ = u_now;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
@@ -248,6 +248,16 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// Weight of u1 in the law.
+    static constexpr float b_3_{-2.0f};
+    /// Weight of u2 in the law.
+    static constexpr float b_4_{-3.0f};
+    /// Weight of u3 in the law.
+    static constexpr float b_5_{-4.0f};
+    /// Weight of u4 in the law.
+    static constexpr float b_6_{-5.0f};
+    /// Weight of u5 in the law.
+    static constexpr float b_7_{-6.0f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -257,16 +267,16 @@ private:
     float u4_{}; // input of 4 samples ago
     float u5_{}; // input of 5 samples ago
     float deadbeat_{}; // samples to go at which deadbeat takes over
-    float w1_1_{}; // weight of a state in the law
-    float w1_2_{}; // weight of a state in the law
-    float w1_4_{}; // weight of a state in the law
-    float w1_5_{}; // weight of a state in the law
-    float w1_6_{}; // weight of a state in the law
-    float w1_7_{}; // weight of a state in the law
-    float w2_2_{}; // weight of a state in the law
-    float w2_3_{}; // weight of a state in the law
-    float b_1_{}; // weight of a state in the law
-    float b_2_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
+    float w1_2_{}; // weight of x2 in the law
+    float w1_4_{}; // weight of u2 in the law
+    float w1_5_{}; // weight of u3 in the law
+    float w1_6_{}; // weight of u4 in the law
+    float w1_7_{}; // weight of u5 in the law
+    float w2_2_{}; // weight of x2 in the law
+    float w2_3_{}; // weight of u1 in the law
+    float b_1_{}; // weight of x1 in the law
+    float b_2_{}; // weight of x2 in the law
     float u_max_{}; // bound of |u|
 };
 

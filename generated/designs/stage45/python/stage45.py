@@ -112,6 +112,17 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight of u1 in the law.
+_B_3 = _R(-_R(2.0))
+# Weight of u2 in the law.
+_B_4 = _R(-_R(3.0))
+# Weight of u3 in the law.
+_B_5 = _R(-_R(4.0))
+# Weight of u4 in the law.
+_B_6 = _R(-_R(5.0))
+# Weight of u5 in the law.
+_B_7 = _R(-_R(6.0))
+
 class Stage45:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -128,11 +139,11 @@ class Stage45:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 2, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (6 < given_samples):
+            if not (given_samples > 6):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 7")
             if not (_R(1.000000045813705e-18) <= given_h <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.h is {params.h}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (_R(1.000000045813705e-18) <= given_a <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.a is {params.a}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
@@ -140,12 +151,12 @@ class Stage45:
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
             if not np.isfinite(given_k[1]):
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (_R(0.0) <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= _R(0.0))):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = ((given_k[1] / given_a) - _R(1.0)) + _R(2.0)
             s2 = max(s1, _R(4.0))
-            deadbeat = given_deadbeat if _R(0.0) < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > _R(0.0) else s2
             s3 = -(given_k[0] / (given_a * given_a))
             w1_1 = s3 * (_R(1.0) / (given_h * given_h))
             s4 = _R(4.5) * (-(given_k[0] / (given_a * given_a)))
@@ -171,8 +182,8 @@ class Stage45:
                 and np.isfinite(w2_3)
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
-                and (_R(1.0000000031710769e-30) <= given_h * given_h)
-                and (_R(1.0000000031710769e-30) <= _R(1.0) / (given_h * given_h))
+                and (given_h * given_h >= _R(1.0000000031710769e-30))
+                and (_R(1.0) / (given_h * given_h) >= _R(1.0000000031710769e-30))
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -218,7 +229,7 @@ class Stage45:
             x2 = x[1]
             left = max(self._samples - elapsed, 0)
             m0 = _R(left) - _R(5.0)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 s1 = (self._w1_1 * x1) + (self._w1_2 * x2) + (self._w1_4 * self._u2)
                 s2 = s1 + (self._w1_5 * self._u3) + (self._w1_6 * self._u4)
@@ -226,15 +237,15 @@ class Stage45:
                 s3 = (self._w2_2 * x2) + (self._w2_3 * self._u1)
                 s4 = s3 + (self._w2_3 * self._u2) + (self._w2_3 * self._u3)
                 z2 = s4 + (self._w2_3 * self._u4) + (self._w2_3 * self._u5)
-                v = ((z1 / m0) + z2) / (m0 - _R(1.0))
+                v = (z1 + (z2 * m0)) / (m0 * (m0 - _R(1.0)))
             else:
                 # Deadbeat.
-                s5 = ((self._b_1 * x1) + (self._b_2 * x2)) - (_R(2.0) * self._u1)
-                s6 = ((s5 - (_R(3.0) * self._u2)) - (_R(4.0) * self._u3)) - (_R(5.0) * self._u4)
-                v = s6 - (_R(6.0) * self._u5)
+                s5 = (self._b_1 * x1) + (self._b_2 * x2) + (_B_3 * self._u1)
+                s6 = s5 + (_B_4 * self._u2) + (_B_5 * self._u3)
+                v = s6 + (_B_6 * self._u4) + (_B_7 * self._u5)
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -245,7 +256,7 @@ class Stage45:
             self._u3 = self._u2
             self._u2 = self._u1
             self._u1 = u_now
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
             elif elapsed < self._samples:
                 return Control(u_now, Status.OK)

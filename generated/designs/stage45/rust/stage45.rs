@@ -151,25 +151,25 @@ pub struct Stage45 {
     u5: f32,
     /// samples to go at which deadbeat takes over.
     deadbeat: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f32,
-    /// weight of a state in the law.
+    /// weight of u2 in the law.
     w1_4: f32,
-    /// weight of a state in the law.
+    /// weight of u3 in the law.
     w1_5: f32,
-    /// weight of a state in the law.
+    /// weight of u4 in the law.
     w1_6: f32,
-    /// weight of a state in the law.
+    /// weight of u5 in the law.
     w1_7: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f32,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w2_3: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f32,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f32,
     /// bound of |u|.
     u_max: f32,
@@ -184,28 +184,39 @@ pub struct Stage45 {
     clippy::nursery
 )]
 impl Stage45 {
+    /// Weight of u1 in the law.
+    const B_3: f32 = -2.0;
+    /// Weight of u2 in the law.
+    const B_4: f32 = -3.0;
+    /// Weight of u3 in the law.
+    const B_5: f32 = -4.0;
+    /// Weight of u4 in the law.
+    const B_6: f32 = -5.0;
+    /// Weight of u5 in the law.
+    const B_7: f32 = -6.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage45Params) -> Result<Self, Error> {
-        if !((6 < params.samples)
+        if !((params.samples > 6)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && (1e-18 <= params.a)
             && (params.a <= 1e18)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = ((params.k[1] / params.a) - 1.0) + 2.0;
         let s2 = if s1 < 4.0 { 4.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -234,8 +245,8 @@ impl Stage45 {
             && w2_3.is_finite()
             && b_1.is_finite()
             && b_2.is_finite()
-            && (1e-30 <= params.h * params.h)
-            && (1e-30 <= 1.0 / (params.h * params.h)))
+            && (params.h * params.h >= 1e-30)
+            && (1.0 / (params.h * params.h) >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -282,7 +293,7 @@ impl Stage45 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = (left as f32) - 5.0;
         let v: f32;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let s1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_4 * self.u2);
             let s2 = s1 + (self.w1_5 * self.u3) + (self.w1_6 * self.u4);
@@ -290,18 +301,18 @@ impl Stage45 {
             let s3 = (self.w2_2 * x2) + (self.w2_3 * self.u1);
             let s4 = s3 + (self.w2_3 * self.u2) + (self.w2_3 * self.u3);
             let z2 = s4 + (self.w2_3 * self.u4) + (self.w2_3 * self.u5);
-            v = ((z1 / m0) + z2) / (m0 - 1.0);
+            v = (z1 + (z2 * m0)) / (m0 * (m0 - 1.0));
         } else {
             // Deadbeat.
-            let s5 = ((self.b_1 * x1) + (self.b_2 * x2)) - (2.0 * self.u1);
-            let s6 = ((s5 - (3.0 * self.u2)) - (4.0 * self.u3)) - (5.0 * self.u4);
-            v = s6 - (6.0 * self.u5);
+            let s5 = (self.b_1 * x1) + (self.b_2 * x2) + (Self::B_3 * self.u1);
+            let s6 = s5 + (Self::B_4 * self.u2) + (Self::B_5 * self.u3);
+            v = s6 + (Self::B_6 * self.u4) + (Self::B_7 * self.u5);
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f32;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -313,7 +324,7 @@ impl Stage45 {
         self.u3 = self.u2;
         self.u2 = self.u1;
         self.u1 = u_now;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if elapsed < self.samples {
             Status::Ok

@@ -33,6 +33,18 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE46_PHI1_2 0.001 /* 1/1000, prediction of x1 from x2 */
+#define STAGE46_PHI1_3 5e-7 /* 1/2000000, prediction of x1 from d */
+#define STAGE46_GAMMA1 5e-7 /* 1/2000000, prediction from u */
+#define STAGE46_PHI2_3 0.001 /* 1/1000, prediction of x2 from d */
+#define STAGE46_GAMMA2 0.001 /* 1/1000, prediction from u */
+#define STAGE46_W1_1 (-6000000.0) /* weight of x1 in the law */
+#define STAGE46_W1_2 (-3000.0) /* weight of x2 in the law */
+#define STAGE46_W2_2 (-4000.0) /* weight of x2 in the law */
+#define STAGE46_W2_3 (-4.0) /* weight of u1 in the law */
+#define STAGE46_U_MAX 6.0 /* bound of |u| */
+#define STAGE46_SAMPLES 40U /* samples from the start to rest */
 ptc_status stage46_init(stage46 *self, const stage46_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -81,9 +93,11 @@ ptc_status stage46_step(stage46 *self, uint32_t k, const double y[1], double *u)
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
-            const double s1 = self->x1_hat + (0.001 * self->x2_hat) + (5e-7 * self->d_hat);
-            const double p1 = s1 + (5e-7 * self->u2);
-            const double p2 = self->x2_hat + (0.001 * self->d_hat) + (0.001 * self->u2);
+            const double s1 = self->x1_hat + (STAGE46_PHI1_2 * self->x2_hat);
+            const double s2 = s1 + (STAGE46_PHI1_3 * self->d_hat);
+            const double p1 = s2 + (STAGE46_GAMMA1 * self->u2);
+            const double s3 = self->x2_hat + (STAGE46_PHI2_3 * self->d_hat);
+            const double p2 = s3 + (STAGE46_GAMMA2 * self->u2);
             const double p3 = self->d_hat;
 
             /* Correct by what is measured. */
@@ -106,16 +120,16 @@ ptc_status stage46_step(stage46 *self, uint32_t k, const double y[1], double *u)
 
             /* The exact law in samples. */
             const double m0 = (elapsed < 37U) ? ((double)(40U - elapsed)) : 3.0;
-            const double z1 = ((-6000000.0) * x1) - (3000.0 * x2);
-            const double z2 = ((-4000.0) * x2) - (4.0 * (self->u1 + d));
-            v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+            const double z1 = (STAGE46_W1_1 * x1) + (STAGE46_W1_2 * x2);
+            const double z2 = (STAGE46_W2_2 * x2) + (STAGE46_W2_3 * (self->u1 + d));
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
-                if (6.0 < v) {
-                    u_now = 6.0;
-                } else if (v < -6.0) {
-                    u_now = -6.0;
+                if (v > STAGE46_U_MAX) {
+                    u_now = STAGE46_U_MAX;
+                } else if (v < -STAGE46_U_MAX) {
+                    u_now = -STAGE46_U_MAX;
                 } else {
                     u_now = v;
                 }
@@ -126,9 +140,9 @@ ptc_status stage46_step(stage46 *self, uint32_t k, const double y[1], double *u)
                 self->d_hat = d;
                 self->seen = 1U;
                 *u = u_now;
-                if ((6.0 < v) || (v < -6.0)) {
+                if ((v > STAGE46_U_MAX) || (v < -STAGE46_U_MAX)) {
                     status = PTC_SATURATED;
-                } else if (elapsed < 40U) {
+                } else if (elapsed < STAGE46_SAMPLES) {
                     status = PTC_OK;
                 } else {
                     status = PTC_HOLD;

@@ -42,8 +42,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE46_0618D2E3_HPP
-#define STAGE46_0618D2E3_HPP
+#ifndef STAGE46_93638CBD_HPP
+#define STAGE46_93638CBD_HPP
 
 #include <array>
 #include <cfloat>
@@ -150,9 +150,11 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const double s1 = x1_hat_ + (0.001 * x2_hat_) + (5e-7 * d_hat_);
-        const double p1 = s1 + (5e-7 * u2_);
-        const double p2 = x2_hat_ + (0.001 * d_hat_) + (0.001 * u2_);
+        const double s1 = x1_hat_ + (phi1_2_ * x2_hat_);
+        const double s2 = s1 + (phi1_3_ * d_hat_);
+        const double p1 = s2 + (gamma1_ * u2_);
+        const double s3 = x2_hat_ + (phi2_3_ * d_hat_);
+        const double p2 = s3 + (gamma2_ * u2_);
         const double p3 = d_hat_;
 
         // Correct by what is measured.
@@ -175,17 +177,17 @@ public:
 
         // The exact law in samples.
         const double m0 = (elapsed < 37U) ? (static_cast<double>(40U - elapsed)) : 3.0;
-        const double z1 = ((-6000000.0) * x1) - (3000.0 * x2);
-        const double z2 = ((-4000.0) * x2) - (4.0 * (u1_ + d));
-        v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+        const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+        const double z2 = (w2_2_ * x2) + (w2_3_ * (u1_ + d));
+        v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) - d;
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (6.0 < v) {
-            u_now = 6.0;
-        } else if (v < -6.0) {
-            u_now = -6.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -195,9 +197,9 @@ public:
         x2_hat_ = x2;
         d_hat_ = d;
         seen_ = 1U;
-        if ((6.0 < v) || (v < -6.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (elapsed < 40U) {
+        } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
         } else {
             return {u_now, Status::Hold};
@@ -227,6 +229,28 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// 1/1000, prediction of x1 from x2.
+    static constexpr double phi1_2_{0.001};
+    /// 1/2000000, prediction of x1 from d.
+    static constexpr double phi1_3_{5e-7};
+    /// 1/2000000, prediction from u.
+    static constexpr double gamma1_{5e-7};
+    /// 1/1000, prediction of x2 from d.
+    static constexpr double phi2_3_{0.001};
+    /// 1/1000, prediction from u.
+    static constexpr double gamma2_{0.001};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-6000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{-3000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-4000.0};
+    /// Weight of u1 in the law.
+    static constexpr double w2_3_{-4.0};
+    /// Bound of |u|.
+    static constexpr double u_max_{6.0};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{40U};
 
     std::uint32_t start_{}; // tick at which it was armed
     double u1_{}; // input of the last sample

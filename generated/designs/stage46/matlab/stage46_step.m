@@ -14,6 +14,17 @@ function [u, status, self] = stage46_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+phi1_2 = 0.001; % 1/1000, prediction of x1 from x2
+phi1_3 = 5e-7; % 1/2000000, prediction of x1 from d
+gamma1 = 5e-7; % 1/2000000, prediction from u
+phi2_3 = 0.001; % 1/1000, prediction of x2 from d
+gamma2 = 0.001; % 1/1000, prediction from u
+w1_1 = -6000000.0; % weight of x1 in the law
+w1_2 = -3000.0; % weight of x2 in the law
+w2_2 = -4000.0; % weight of x2 in the law
+w2_3 = -4.0; % weight of u1 in the law
+u_max = 6.0; % bound of |u|
+samples = uint32(40); % samples from the start to rest
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -29,9 +40,11 @@ end
 elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 
 % Predict.
-s1 = self.x1_hat + (0.001 * self.x2_hat) + (5e-7 * self.d_hat);
-p1 = s1 + (5e-7 * self.u2);
-p2 = self.x2_hat + (0.001 * self.d_hat) + (0.001 * self.u2);
+s1 = self.x1_hat + (phi1_2 * self.x2_hat);
+s2 = s1 + (phi1_3 * self.d_hat);
+p1 = s2 + (gamma1 * self.u2);
+s3 = self.x2_hat + (phi2_3 * self.d_hat);
+p2 = s3 + (gamma2 * self.u2);
 p3 = self.d_hat;
 
 % Correct by what is measured.
@@ -51,17 +64,17 @@ d = p3 + (l3 * miss);
 
 % The exact law in samples.
 m0 = pick(elapsed < uint32(37), double(uint32(mod(double(uint32(40)) - double(elapsed), 4294967296))), 3.0);
-z1 = ((-6000000.0) * x1) - (3000.0 * x2);
-z2 = ((-4000.0) * x2) - (4.0 * (self.u1 + d));
-v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+z1 = (w1_1 * x1) + (w1_2 * x2);
+z2 = (w2_2 * x2) + (w2_3 * (self.u1 + d));
+v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) - d;
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if 6.0 < v
-    u_now = 6.0;
-elseif v < -6.0
-    u_now = -6.0;
+if v > u_max
+    u_now = u_max;
+elseif v < -u_max
+    u_now = -u_max;
 else
     u_now = v;
 end
@@ -71,10 +84,10 @@ self.x1_hat = x1;
 self.x2_hat = x2;
 self.d_hat = d;
 self.seen = uint32(1);
-if (6.0 < v) || (v < -6.0)
+if (v > u_max) || (v < -u_max)
     u = u_now;
     status = int32(2);
-elseif elapsed < uint32(40)
+elseif elapsed < samples
     u = u_now;
     status = int32(0);
 else

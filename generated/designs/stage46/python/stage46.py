@@ -101,6 +101,29 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/1000, prediction of x1 from x2.
+_PHI1_2 = _R(0.001)
+# 1/2000000, prediction of x1 from d.
+_PHI1_3 = _R(5e-7)
+# 1/2000000, prediction from u.
+_GAMMA1 = _R(5e-7)
+# 1/1000, prediction of x2 from d.
+_PHI2_3 = _R(0.001)
+# 1/1000, prediction from u.
+_GAMMA2 = _R(0.001)
+# Weight of x1 in the law.
+_W1_1 = _R(-6000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(-3000.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-4000.0)
+# Weight of u1 in the law.
+_W2_3 = _R(-4.0)
+# Bound of |u|.
+_U_MAX = _R(6.0)
+# Samples from the start to rest.
+_SAMPLES = 40
+
 class Stage46:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -146,9 +169,11 @@ class Stage46:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x1_hat + (0.001 * self._x2_hat) + (5e-7 * self._d_hat)
-            p1 = s1 + (5e-7 * self._u2)
-            p2 = self._x2_hat + (0.001 * self._d_hat) + (0.001 * self._u2)
+            s1 = self._x1_hat + (_PHI1_2 * self._x2_hat)
+            s2 = s1 + (_PHI1_3 * self._d_hat)
+            p1 = s2 + (_GAMMA1 * self._u2)
+            s3 = self._x2_hat + (_PHI2_3 * self._d_hat)
+            p2 = s3 + (_GAMMA2 * self._u2)
             p3 = self._d_hat
 
             # Correct by what is measured.
@@ -167,15 +192,15 @@ class Stage46:
 
             # The exact law in samples.
             m0 = _R((40 - elapsed) & _WRAP) if elapsed < 37 else _R(3.0)
-            z1 = ((-6000000.0) * x1) - (3000.0 * x2)
-            z2 = ((-4000.0) * x2) - (4.0 * (self._u1 + d))
-            v = (((z1 / m0) + z2) / (m0 - 1.0)) - d
+            z1 = (_W1_1 * x1) + (_W1_2 * x2)
+            z2 = (_W2_2 * x2) + (_W2_3 * (self._u1 + d))
+            v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if 6.0 < v:
-                u_now = _R(6.0)
-            elif v < -6.0:
-                u_now = _R(-6.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -184,9 +209,9 @@ class Stage46:
             self._x2_hat = x2
             self._d_hat = d
             self._seen = 1
-            if (6.0 < v) or (v < -6.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif elapsed < 40:
+            elif elapsed < _SAMPLES:
                 return Control(u_now, Status.OK)
             else:
                 return Control(u_now, Status.HOLD)

@@ -150,6 +150,29 @@ pub struct Stage46 {
     clippy::nursery
 )]
 impl Stage46 {
+    /// 1/1000, prediction of x1 from x2.
+    const PHI1_2: f64 = 0.001;
+    /// 1/2000000, prediction of x1 from d.
+    const PHI1_3: f64 = 5e-7;
+    /// 1/2000000, prediction from u.
+    const GAMMA1: f64 = 5e-7;
+    /// 1/1000, prediction of x2 from d.
+    const PHI2_3: f64 = 0.001;
+    /// 1/1000, prediction from u.
+    const GAMMA2: f64 = 0.001;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -6000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = -3000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -4000.0;
+    /// Weight of u1 in the law.
+    const W2_3: f64 = -4.0;
+    /// Bound of |u|.
+    const U_MAX: f64 = 6.0;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 40;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -193,9 +216,11 @@ impl Stage46 {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x1_hat + (0.001 * self.x2_hat) + (5e-7 * self.d_hat);
-        let p1 = s1 + (5e-7 * self.u2);
-        let p2 = self.x2_hat + (0.001 * self.d_hat) + (0.001 * self.u2);
+        let s1 = self.x1_hat + (Self::PHI1_2 * self.x2_hat);
+        let s2 = s1 + (Self::PHI1_3 * self.d_hat);
+        let p1 = s2 + (Self::GAMMA1 * self.u2);
+        let s3 = self.x2_hat + (Self::PHI2_3 * self.d_hat);
+        let p2 = s3 + (Self::GAMMA2 * self.u2);
         let p3 = self.d_hat;
 
         // Correct by what is measured.
@@ -222,17 +247,17 @@ impl Stage46 {
         } else {
             3.0
         };
-        let z1 = ((-6000000.0) * x1) - (3000.0 * x2);
-        let z2 = ((-4000.0) * x2) - (4.0 * (self.u1 + d));
-        v = (((z1 / m0) + z2) / (m0 - 1.0)) - d;
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2);
+        let z2 = (Self::W2_2 * x2) + (Self::W2_3 * (self.u1 + d));
+        v = ((z1 + (z2 * m0)) / (m0 * (m0 - 1.0))) - d;
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 6.0 < v {
-            u_now = 6.0;
-        } else if v < -6.0 {
-            u_now = -6.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -242,9 +267,9 @@ impl Stage46 {
         self.x2_hat = x2;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (6.0 < v) || (v < -6.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if elapsed < 40 {
+        } else if elapsed < Self::SAMPLES {
             Status::Ok
         } else {
             Status::Hold

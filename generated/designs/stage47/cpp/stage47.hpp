@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE47_790CCF7B_HPP
-#define STAGE47_790CCF7B_HPP
+#ifndef STAGE47_344E15DE_HPP
+#define STAGE47_344E15DE_HPP
 
 #include <array>
 #include <cfloat>
@@ -118,7 +118,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((22U < params.samples) && (0.0 < params.u_max))) {
+        if (!((params.samples > 22U) && (params.u_max > 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -179,9 +179,9 @@ public:
             x3 = y[1];
             d = 0.0;
         } else {
-            x1 = x1_next_ + (0.00010803832226644697 * u1_);
-            x2 = x2_next_ + (0.030892799233141147 * u1_);
-            x3 = x3_next_ + (0.3745921515889058 * u1_);
+            x1 = x1_next_ + (gamma1_ * u1_);
+            x2 = x2_next_ + (gamma2_ * u1_);
+            x3 = x3_next_ + (gamma3_ * u1_);
             d = d_next_;
         }
 
@@ -190,7 +190,7 @@ public:
         const double miss2 = y[1] - x3;
         const double off1 = miss1;
         const double off2 = miss2;
-        const std::uint32_t left_o = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = static_cast<double>(left_o);
         double l1_1{};
         double l1_2{};
@@ -209,61 +209,63 @@ public:
             l2_2 = 0.2724600360147846;
             l2_3 = 1.5302977387244094;
             l2_4 = 2.6662087225258313;
-        } else if (8.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.004980621942852573;
-            const double s1 = ((1207.0156938434693 * r0) - 4.007471679722458) * r1;
-            l1_2 = s1 + 0.007132886647707467;
+        } else if (o0 > 8.0) {
+            const double r0 = 1.0 / (o0 * (o0 - 1.0));
+            const double s1 = (q1_1_1_ + (q1_1_2_ * o0)) * r0;
+            l1_1 = s1 - 0.004980621942852573;
+            const double s2 = (q1_2_1_ + (q1_2_2_ * o0)) * r0;
+            l1_2 = s2 + 0.007132886647707467;
             l1_3 = 0.056139026437663865;
-            l1_4 = 359.9103398433305 * r0 * r1;
+            l1_4 = q1_4_1_ * r0;
             l2_1 = 0.0014392695129337434;
-            const double s2 = (((-1.8587963031465917) * r0) + 0.9913796378212842) * r1;
-            l2_2 = s2 + 0.11089234841732894;
-            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.4680369753891894;
-            l2_4 = 79.82759275642569 * r0 * r1;
+            const double s3 = (q2_2_1_ + (q2_2_2_ * o0)) * r0;
+            l2_2 = s3 + 0.11089234841732894;
+            const double s4 = (q2_3_1_ + (q2_3_2_ * o0)) * r0;
+            l2_3 = s4 - 0.4680369753891894;
+            l2_4 = q2_4_1_ * r0;
         } else if (left_o == 8U) {
-            l1_1 = 0.9950193780571475;
-            l1_2 = -0.49380107331759976;
-            l1_3 = 0.056139026437663865;
+            l1_1 = e0_1_1_;
+            l1_2 = e0_1_2_;
+            l1_3 = e0_1_3_;
             l1_4 = 0.0;
-            l2_1 = 0.0014392695129337434;
-            l2_2 = 0.220357858722901;
-            l2_3 = 1.0319630246108107;
-            l2_4 = 1.3304598792737614;
+            l2_1 = e0_2_1_;
+            l2_2 = e0_2_2_;
+            l2_3 = e0_2_3_;
+            l2_4 = e0_2_4_;
         } else {
-            l1_1 = 1.9950193780571475;
-            l1_2 = 99.25595014702932;
-            l1_3 = 0.056139026437663865;
-            l1_4 = 29.992528320277543;
-            l2_1 = 0.0014392695129337434;
-            l2_2 = 0.24720839921003274;
-            l2_3 = 1.5319630246108107;
-            l2_4 = 2.660919758547523;
+            l1_1 = e1_1_1_;
+            l1_2 = e1_1_2_;
+            l1_3 = e1_1_3_;
+            l1_4 = e1_1_4_;
+            l2_1 = e1_2_1_;
+            l2_2 = e1_2_2_;
+            l2_3 = e1_2_3_;
+            l2_4 = e1_2_4_;
         }
-        const double s3 = x1 + (0.009942671770940647 * x2) + (0.000617855984662823 * x3);
-        const double x1_on = s3 + (0.00010803832226644697 * d) + (l1_1 * off1) + (l2_1 * off2);
-        const double s4 = (0.9857608243445873 * x2) + (0.11206871748434033 * x3);
-        const double x2_on = s4 + (0.030892799233141147 * d) + (l1_2 * off1) + (l2_2 * off2);
-        const double s5 = ((-0.11206871748434033) * x2) + (0.5412215783233707 * x3);
-        const double x3_on = s5 + (0.3745921515889058 * d) + (l1_3 * off1) + (l2_3 * off2);
+        const double s5 = x1 + (phi1_2_ * x2) + (phi1_3_ * x3);
+        const double x1_on = s5 + (phi1_4_ * d) + (l1_1 * off1) + (l2_1 * off2);
+        const double s6 = (phi2_2_ * x2) + (phi2_3_ * x3);
+        const double x2_on = s6 + (phi2_4_ * d) + (l1_2 * off1) + (l2_2 * off2);
+        const double s7 = (phi3_2_ * x2) + (phi3_3_ * x3);
+        const double x3_on = s7 + (phi3_4_ * d) + (l1_3 * off1) + (l2_3 * off2);
         const double d_on = d + (l1_4 * off1) + (l2_4 * off2);
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
-        const double m0 = (static_cast<double>(left) < 6.0) ? 6.0 : static_cast<double>(left);
+        const double m0 = (static_cast<double>(left) < hold_) ? hold_ : static_cast<double>(left);
         double v{};
 
         // The exact law in samples.
-        const double s6 = ((-106850.90292251826) * x1) + (1124.1848178645955 * x2);
-        const double z1 = s6 - (61.894579201640425 * x3);
-        const double z2 = ((-642.8726851005619) * x2) + (53.018026963569255 * x3);
-        const double z3 = (0.8030787004640786 * x2) - (24.09236101392236 * x3);
-        const double s7 = (0.29872942459099683 * x2) + (1.238117262270095 * x3);
-        v = ((((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0) + s7) - d;
+        const double z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
+        const double z2 = (w2_2_ * x2) + (w2_3_ * x3);
+        const double z3 = (w3_2_ * x2) + (w3_3_ * x3);
+        const double m0f1 = m0 + 2.0;
+        const double m0f2 = m0f1 * (m0 + 1.0);
+        const double s8 = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * m0);
+        v = (s8 + ((c_2_ * x2) + (c_3_ * x3))) - d;
         if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on) && finite(d_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -280,9 +282,9 @@ public:
         d_hat_ = d;
         d_next_ = d_on;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) <= 6.0) {
+        } else if (static_cast<double>(left) <= hold_) {
             return {u_now, Status::Hold};
         } else {
             return {u_now, Status::Ok};
@@ -312,6 +314,102 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Prediction from u.
+    static constexpr double gamma1_{0.00010803832226644697};
+    /// Prediction from u.
+    static constexpr double gamma2_{0.030892799233141147};
+    /// Prediction from u.
+    static constexpr double gamma3_{0.3745921515889058};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{20U};
+    /// Weight in the observer's gain l1_1.
+    static constexpr double q1_1_1_{-8.0};
+    /// Weight in the observer's gain l1_1.
+    static constexpr double q1_1_2_{8.0};
+    /// Weight in the observer's gain l1_2.
+    static constexpr double q1_2_1_{1207.0156938434693};
+    /// Weight in the observer's gain l1_2.
+    static constexpr double q1_2_2_{-4.007471679722458};
+    /// Weight in the observer's gain l1_4.
+    static constexpr double q1_4_1_{359.9103398433305};
+    /// Weight in the observer's gain l2_2.
+    static constexpr double q2_2_1_{-1.8587963031465917};
+    /// Weight in the observer's gain l2_2.
+    static constexpr double q2_2_2_{0.9913796378212842};
+    /// Weight in the observer's gain l2_3.
+    static constexpr double q2_3_1_{-12.0};
+    /// Weight in the observer's gain l2_3.
+    static constexpr double q2_3_2_{12.0};
+    /// Weight in the observer's gain l2_4.
+    static constexpr double q2_4_1_{79.82759275642569};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_1_{0.9950193780571475};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_2_{-0.49380107331759976};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_3_{0.056139026437663865};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_1_{0.0014392695129337434};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_2_{0.220357858722901};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_3_{1.0319630246108107};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_4_{1.3304598792737614};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_1_{1.9950193780571475};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_2_{99.25595014702932};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_3_{0.056139026437663865};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_4_{29.992528320277543};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_1_{0.0014392695129337434};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_2_{0.24720839921003274};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_3_{1.5319630246108107};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_4_{2.660919758547523};
+    /// Prediction of x1 from x2.
+    static constexpr double phi1_2_{0.009942671770940647};
+    /// Prediction of x1 from x3.
+    static constexpr double phi1_3_{0.000617855984662823};
+    /// Prediction of x1 from d.
+    static constexpr double phi1_4_{0.00010803832226644697};
+    /// Prediction of x2 from x2.
+    static constexpr double phi2_2_{0.9857608243445873};
+    /// Prediction of x2 from x3.
+    static constexpr double phi2_3_{0.11206871748434033};
+    /// Prediction of x2 from d.
+    static constexpr double phi2_4_{0.030892799233141147};
+    /// Prediction of x3 from x2.
+    static constexpr double phi3_2_{-0.11206871748434033};
+    /// Prediction of x3 from x3.
+    static constexpr double phi3_3_{0.5412215783233707};
+    /// Prediction of x3 from d.
+    static constexpr double phi3_4_{0.3745921515889058};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{6.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-106850.90292251826};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{1124.1848178645955};
+    /// Weight of x3 in the law.
+    static constexpr double w1_3_{-61.894579201640425};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-642.8726851005619};
+    /// Weight of x3 in the law.
+    static constexpr double w2_3_{53.018026963569255};
+    /// Weight of x2 in the law.
+    static constexpr double w3_2_{0.8030787004640786};
+    /// Weight of x3 in the law.
+    static constexpr double w3_3_{-24.09236101392236};
+    /// Weight of x2 in the law.
+    static constexpr double c_2_{0.29872942459099683};
+    /// Weight of x3 in the law.
+    static constexpr double c_3_{1.238117262270095};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest

@@ -58,10 +58,10 @@ if given.samples ~= params.samples
     error('stage47:param', 'params.samples is %g; legal: 0..2^32 - 1', params.samples);
 end
 given.u_max = double(params.u_max);
-if ~(uint32(22) < given.samples)
+if ~(given.samples > uint32(22))
     error('stage47:param', 'params.samples is %g; legal: >= 23', params.samples);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage47:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 samples = given.samples;

@@ -107,6 +107,103 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(0.00010803832226644697)
+# Prediction from u.
+_GAMMA2 = _R(0.030892799233141147)
+# Prediction from u.
+_GAMMA3 = _R(0.3745921515889058)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 20
+# Weight in the observer's gain l1_1.
+_Q1_1_1 = _R(-8.0)
+# Weight in the observer's gain l1_1.
+_Q1_1_2 = _R(8.0)
+# Weight in the observer's gain l1_2.
+_Q1_2_1 = _R(1207.0156938434693)
+# Weight in the observer's gain l1_2.
+_Q1_2_2 = _R(-4.007471679722458)
+# Weight in the observer's gain l1_4.
+_Q1_4_1 = _R(359.9103398433305)
+# Weight in the observer's gain l2_2.
+_Q2_2_1 = _R(-1.8587963031465917)
+# Weight in the observer's gain l2_2.
+_Q2_2_2 = _R(0.9913796378212842)
+# Weight in the observer's gain l2_3.
+_Q2_3_1 = _R(-12.0)
+# Weight in the observer's gain l2_3.
+_Q2_3_2 = _R(12.0)
+# Weight in the observer's gain l2_4.
+_Q2_4_1 = _R(79.82759275642569)
+# Gain of the observer at its end.
+_E0_1_1 = _R(0.9950193780571475)
+# Gain of the observer at its end.
+_E0_1_2 = _R(-0.49380107331759976)
+# Gain of the observer at its end.
+_E0_1_3 = _R(0.056139026437663865)
+# Gain of the observer at its end.
+_E0_2_1 = _R(0.0014392695129337434)
+# Gain of the observer at its end.
+_E0_2_2 = _R(0.220357858722901)
+# Gain of the observer at its end.
+_E0_2_3 = _R(1.0319630246108107)
+# Gain of the observer at its end.
+_E0_2_4 = _R(1.3304598792737614)
+# Gain of the observer at its end.
+_E1_1_1 = _R(1.9950193780571475)
+# Gain of the observer at its end.
+_E1_1_2 = _R(99.25595014702932)
+# Gain of the observer at its end.
+_E1_1_3 = _R(0.056139026437663865)
+# Gain of the observer at its end.
+_E1_1_4 = _R(29.992528320277543)
+# Gain of the observer at its end.
+_E1_2_1 = _R(0.0014392695129337434)
+# Gain of the observer at its end.
+_E1_2_2 = _R(0.24720839921003274)
+# Gain of the observer at its end.
+_E1_2_3 = _R(1.5319630246108107)
+# Gain of the observer at its end.
+_E1_2_4 = _R(2.660919758547523)
+# Prediction of x1 from x2.
+_PHI1_2 = _R(0.009942671770940647)
+# Prediction of x1 from x3.
+_PHI1_3 = _R(0.000617855984662823)
+# Prediction of x1 from d.
+_PHI1_4 = _R(0.00010803832226644697)
+# Prediction of x2 from x2.
+_PHI2_2 = _R(0.9857608243445873)
+# Prediction of x2 from x3.
+_PHI2_3 = _R(0.11206871748434033)
+# Prediction of x2 from d.
+_PHI2_4 = _R(0.030892799233141147)
+# Prediction of x3 from x2.
+_PHI3_2 = _R(-0.11206871748434033)
+# Prediction of x3 from x3.
+_PHI3_3 = _R(0.5412215783233707)
+# Prediction of x3 from d.
+_PHI3_4 = _R(0.3745921515889058)
+# Samples to go at which the gains are held.
+_HOLD = _R(6.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-106850.90292251826)
+# Weight of x2 in the law.
+_W1_2 = _R(1124.1848178645955)
+# Weight of x3 in the law.
+_W1_3 = _R(-61.894579201640425)
+# Weight of x2 in the law.
+_W2_2 = _R(-642.8726851005619)
+# Weight of x3 in the law.
+_W2_3 = _R(53.018026963569255)
+# Weight of x2 in the law.
+_W3_2 = _R(0.8030787004640786)
+# Weight of x3 in the law.
+_W3_3 = _R(-24.09236101392236)
+# Weight of x2 in the law.
+_C_2 = _R(0.29872942459099683)
+# Weight of x3 in the law.
+_C_3 = _R(1.238117262270095)
+
 class Stage47:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -119,9 +216,9 @@ class Stage47:
             if given_samples != given_samples & _WRAP:
                 raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
             given_u_max = _R(params.u_max)
-            if not (22 < given_samples):
+            if not (given_samples > 22):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 23")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             samples = given_samples
             u_max = given_u_max
@@ -180,9 +277,9 @@ class Stage47:
                 x3 = y[1]
                 d = _R(0.0)
             else:
-                x1 = self._x1_next + (0.00010803832226644697 * self._u1)
-                x2 = self._x2_next + (0.030892799233141147 * self._u1)
-                x3 = self._x3_next + (0.3745921515889058 * self._u1)
+                x1 = self._x1_next + (_GAMMA1 * self._u1)
+                x2 = self._x2_next + (_GAMMA2 * self._u1)
+                x3 = self._x3_next + (_GAMMA3 * self._u1)
                 d = self._d_next
 
             # Prediction of the next sample.
@@ -190,7 +287,7 @@ class Stage47:
             miss2 = y[1] - x3
             off1 = miss1
             off2 = miss2
-            left_o = max(20 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
             if left_o == 0:
                 l1_1 = _R(0.5288853188994155)
@@ -201,54 +298,56 @@ class Stage47:
                 l2_2 = _R(0.2724600360147846)
                 l2_3 = _R(1.5302977387244094)
                 l2_4 = _R(2.6662087225258313)
-            elif 8.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.004980621942852573
-                s1 = ((1207.0156938434693 * r0) - 4.007471679722458) * r1
-                l1_2 = s1 + 0.007132886647707467
+            elif o0 > 8.0:
+                r0 = 1.0 / (o0 * (o0 - 1.0))
+                s1 = (_Q1_1_1 + (_Q1_1_2 * o0)) * r0
+                l1_1 = s1 - 0.004980621942852573
+                s2 = (_Q1_2_1 + (_Q1_2_2 * o0)) * r0
+                l1_2 = s2 + 0.007132886647707467
                 l1_3 = _R(0.056139026437663865)
-                l1_4 = 359.9103398433305 * r0 * r1
+                l1_4 = _Q1_4_1 * r0
                 l2_1 = _R(0.0014392695129337434)
-                s2 = (((-1.8587963031465917) * r0) + 0.9913796378212842) * r1
-                l2_2 = s2 + 0.11089234841732894
-                l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.4680369753891894
-                l2_4 = 79.82759275642569 * r0 * r1
+                s3 = (_Q2_2_1 + (_Q2_2_2 * o0)) * r0
+                l2_2 = s3 + 0.11089234841732894
+                s4 = (_Q2_3_1 + (_Q2_3_2 * o0)) * r0
+                l2_3 = s4 - 0.4680369753891894
+                l2_4 = _Q2_4_1 * r0
             elif left_o == 8:
-                l1_1 = _R(0.9950193780571475)
-                l1_2 = _R(-0.49380107331759976)
-                l1_3 = _R(0.056139026437663865)
+                l1_1 = _E0_1_1
+                l1_2 = _E0_1_2
+                l1_3 = _E0_1_3
                 l1_4 = _R(0.0)
-                l2_1 = _R(0.0014392695129337434)
-                l2_2 = _R(0.220357858722901)
-                l2_3 = _R(1.0319630246108107)
-                l2_4 = _R(1.3304598792737614)
+                l2_1 = _E0_2_1
+                l2_2 = _E0_2_2
+                l2_3 = _E0_2_3
+                l2_4 = _E0_2_4
             else:
-                l1_1 = _R(1.9950193780571475)
-                l1_2 = _R(99.25595014702932)
-                l1_3 = _R(0.056139026437663865)
-                l1_4 = _R(29.992528320277543)
-                l2_1 = _R(0.0014392695129337434)
-                l2_2 = _R(0.24720839921003274)
-                l2_3 = _R(1.5319630246108107)
-                l2_4 = _R(2.660919758547523)
-            s3 = x1 + (0.009942671770940647 * x2) + (0.000617855984662823 * x3)
-            x1_on = s3 + (0.00010803832226644697 * d) + (l1_1 * off1) + (l2_1 * off2)
-            s4 = (0.9857608243445873 * x2) + (0.11206871748434033 * x3)
-            x2_on = s4 + (0.030892799233141147 * d) + (l1_2 * off1) + (l2_2 * off2)
-            s5 = ((-0.11206871748434033) * x2) + (0.5412215783233707 * x3)
-            x3_on = s5 + (0.3745921515889058 * d) + (l1_3 * off1) + (l2_3 * off2)
+                l1_1 = _E1_1_1
+                l1_2 = _E1_1_2
+                l1_3 = _E1_1_3
+                l1_4 = _E1_1_4
+                l2_1 = _E1_2_1
+                l2_2 = _E1_2_2
+                l2_3 = _E1_2_3
+                l2_4 = _E1_2_4
+            s5 = x1 + (_PHI1_2 * x2) + (_PHI1_3 * x3)
+            x1_on = s5 + (_PHI1_4 * d) + (l1_1 * off1) + (l2_1 * off2)
+            s6 = (_PHI2_2 * x2) + (_PHI2_3 * x3)
+            x2_on = s6 + (_PHI2_4 * d) + (l1_2 * off1) + (l2_2 * off2)
+            s7 = (_PHI3_2 * x2) + (_PHI3_3 * x3)
+            x3_on = s7 + (_PHI3_4 * d) + (l1_3 * off1) + (l2_3 * off2)
             d_on = d + (l1_4 * off1) + (l2_4 * off2)
             left = max(self._samples - elapsed, 0)
-            m0 = max(_R(left), _R(6.0))
+            m0 = max(_R(left), _HOLD)
 
             # The exact law in samples.
-            s6 = ((-106850.90292251826) * x1) + (1124.1848178645955 * x2)
-            z1 = s6 - (61.894579201640425 * x3)
-            z2 = ((-642.8726851005619) * x2) + (53.018026963569255 * x3)
-            z3 = (0.8030787004640786 * x2) - (24.09236101392236 * x3)
-            s7 = (0.29872942459099683 * x2) + (1.238117262270095 * x3)
-            v = ((((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0) + s7) - d
+            z1 = (_W1_1 * x1) + (_W1_2 * x2) + (_W1_3 * x3)
+            z2 = (_W2_2 * x2) + (_W2_3 * x3)
+            z3 = (_W3_2 * x2) + (_W3_3 * x3)
+            m0f1 = m0 + 2.0
+            m0f2 = m0f1 * (m0 + 1.0)
+            s8 = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * m0)
+            v = (s8 + ((_C_2 * x2) + (_C_3 * x3))) - d
             if not (
                 np.isfinite(v)
                 and np.isfinite(x1_on)
@@ -257,7 +356,7 @@ class Stage47:
                 and np.isfinite(d_on)
             ):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -273,9 +372,9 @@ class Stage47:
             self._d_hat = d
             self._d_next = d_on
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) <= 6.0:
+            elif _R(left) <= _HOLD:
                 return Control(u_now, Status.HOLD)
             else:
                 return Control(u_now, Status.OK)

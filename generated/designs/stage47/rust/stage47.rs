@@ -168,12 +168,109 @@ pub struct Stage47 {
     clippy::nursery
 )]
 impl Stage47 {
+    /// Prediction from u.
+    const GAMMA1: f64 = 0.00010803832226644697;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.030892799233141147;
+    /// Prediction from u.
+    const GAMMA3: f64 = 0.3745921515889058;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 20;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_1: f64 = -8.0;
+    /// Weight in the observer's gain l1_1.
+    const Q1_1_2: f64 = 8.0;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_1: f64 = 1207.0156938434693;
+    /// Weight in the observer's gain l1_2.
+    const Q1_2_2: f64 = -4.007471679722458;
+    /// Weight in the observer's gain l1_4.
+    const Q1_4_1: f64 = 359.9103398433305;
+    /// Weight in the observer's gain l2_2.
+    const Q2_2_1: f64 = -1.8587963031465917;
+    /// Weight in the observer's gain l2_2.
+    const Q2_2_2: f64 = 0.9913796378212842;
+    /// Weight in the observer's gain l2_3.
+    const Q2_3_1: f64 = -12.0;
+    /// Weight in the observer's gain l2_3.
+    const Q2_3_2: f64 = 12.0;
+    /// Weight in the observer's gain l2_4.
+    const Q2_4_1: f64 = 79.82759275642569;
+    /// Gain of the observer at its end.
+    const E0_1_1: f64 = 0.9950193780571475;
+    /// Gain of the observer at its end.
+    const E0_1_2: f64 = -0.49380107331759976;
+    /// Gain of the observer at its end.
+    const E0_1_3: f64 = 0.056139026437663865;
+    /// Gain of the observer at its end.
+    const E0_2_1: f64 = 0.0014392695129337434;
+    /// Gain of the observer at its end.
+    const E0_2_2: f64 = 0.220357858722901;
+    /// Gain of the observer at its end.
+    const E0_2_3: f64 = 1.0319630246108107;
+    /// Gain of the observer at its end.
+    const E0_2_4: f64 = 1.3304598792737614;
+    /// Gain of the observer at its end.
+    const E1_1_1: f64 = 1.9950193780571475;
+    /// Gain of the observer at its end.
+    const E1_1_2: f64 = 99.25595014702932;
+    /// Gain of the observer at its end.
+    const E1_1_3: f64 = 0.056139026437663865;
+    /// Gain of the observer at its end.
+    const E1_1_4: f64 = 29.992528320277543;
+    /// Gain of the observer at its end.
+    const E1_2_1: f64 = 0.0014392695129337434;
+    /// Gain of the observer at its end.
+    const E1_2_2: f64 = 0.24720839921003274;
+    /// Gain of the observer at its end.
+    const E1_2_3: f64 = 1.5319630246108107;
+    /// Gain of the observer at its end.
+    const E1_2_4: f64 = 2.660919758547523;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.009942671770940647;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f64 = 0.000617855984662823;
+    /// Prediction of x1 from d.
+    const PHI1_4: f64 = 0.00010803832226644697;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9857608243445873;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f64 = 0.11206871748434033;
+    /// Prediction of x2 from d.
+    const PHI2_4: f64 = 0.030892799233141147;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f64 = -0.11206871748434033;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f64 = 0.5412215783233707;
+    /// Prediction of x3 from d.
+    const PHI3_4: f64 = 0.3745921515889058;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 6.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -106850.90292251826;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 1124.1848178645955;
+    /// Weight of x3 in the law.
+    const W1_3: f64 = -61.894579201640425;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -642.8726851005619;
+    /// Weight of x3 in the law.
+    const W2_3: f64 = 53.018026963569255;
+    /// Weight of x2 in the law.
+    const W3_2: f64 = 0.8030787004640786;
+    /// Weight of x3 in the law.
+    const W3_3: f64 = -24.09236101392236;
+    /// Weight of x2 in the law.
+    const C_2: f64 = 0.29872942459099683;
+    /// Weight of x3 in the law.
+    const C_3: f64 = 1.238117262270095;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage47Params) -> Result<Self, Error> {
-        if !((22 < params.samples) && (0.0 < params.u_max)) {
+        if !((params.samples > 22) && (params.u_max > 0.0)) {
             return Err(Error::Param);
         }
         let samples = params.samples;
@@ -237,9 +334,9 @@ impl Stage47 {
             x3 = y[1];
             d = 0.0;
         } else {
-            x1 = self.x1_next + (0.00010803832226644697 * self.u1);
-            x2 = self.x2_next + (0.030892799233141147 * self.u1);
-            x3 = self.x3_next + (0.3745921515889058 * self.u1);
+            x1 = self.x1_next + (Self::GAMMA1 * self.u1);
+            x2 = self.x2_next + (Self::GAMMA2 * self.u1);
+            x3 = self.x3_next + (Self::GAMMA3 * self.u1);
             d = self.d_next;
         }
 
@@ -248,7 +345,7 @@ impl Stage47 {
         let miss2 = y[1] - x3;
         let off1 = miss1;
         let off2 = miss2;
-        let left_o = 20_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1_1: f64;
         let l1_2: f64;
@@ -267,60 +364,62 @@ impl Stage47 {
             l2_2 = 0.2724600360147846;
             l2_3 = 1.5302977387244094;
             l2_4 = 2.6662087225258313;
-        } else if 8.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1_1 = ((((-8.0) * r0) + 8.0) * r1) - 0.004980621942852573;
-            let s1 = ((1207.0156938434693 * r0) - 4.007471679722458) * r1;
-            l1_2 = s1 + 0.007132886647707467;
+        } else if o0 > 8.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            let s1 = (Self::Q1_1_1 + (Self::Q1_1_2 * o0)) * r0;
+            l1_1 = s1 - 0.004980621942852573;
+            let s2 = (Self::Q1_2_1 + (Self::Q1_2_2 * o0)) * r0;
+            l1_2 = s2 + 0.007132886647707467;
             l1_3 = 0.056139026437663865;
-            l1_4 = 359.9103398433305 * r0 * r1;
+            l1_4 = Self::Q1_4_1 * r0;
             l2_1 = 0.0014392695129337434;
-            let s2 = (((-1.8587963031465917) * r0) + 0.9913796378212842) * r1;
-            l2_2 = s2 + 0.11089234841732894;
-            l2_3 = ((((-12.0) * r0) + 12.0) * r1) - 0.4680369753891894;
-            l2_4 = 79.82759275642569 * r0 * r1;
+            let s3 = (Self::Q2_2_1 + (Self::Q2_2_2 * o0)) * r0;
+            l2_2 = s3 + 0.11089234841732894;
+            let s4 = (Self::Q2_3_1 + (Self::Q2_3_2 * o0)) * r0;
+            l2_3 = s4 - 0.4680369753891894;
+            l2_4 = Self::Q2_4_1 * r0;
         } else if left_o == 8 {
-            l1_1 = 0.9950193780571475;
-            l1_2 = -0.49380107331759976;
-            l1_3 = 0.056139026437663865;
+            l1_1 = Self::E0_1_1;
+            l1_2 = Self::E0_1_2;
+            l1_3 = Self::E0_1_3;
             l1_4 = 0.0;
-            l2_1 = 0.0014392695129337434;
-            l2_2 = 0.220357858722901;
-            l2_3 = 1.0319630246108107;
-            l2_4 = 1.3304598792737614;
+            l2_1 = Self::E0_2_1;
+            l2_2 = Self::E0_2_2;
+            l2_3 = Self::E0_2_3;
+            l2_4 = Self::E0_2_4;
         } else {
-            l1_1 = 1.9950193780571475;
-            l1_2 = 99.25595014702932;
-            l1_3 = 0.056139026437663865;
-            l1_4 = 29.992528320277543;
-            l2_1 = 0.0014392695129337434;
-            l2_2 = 0.24720839921003274;
-            l2_3 = 1.5319630246108107;
-            l2_4 = 2.660919758547523;
+            l1_1 = Self::E1_1_1;
+            l1_2 = Self::E1_1_2;
+            l1_3 = Self::E1_1_3;
+            l1_4 = Self::E1_1_4;
+            l2_1 = Self::E1_2_1;
+            l2_2 = Self::E1_2_2;
+            l2_3 = Self::E1_2_3;
+            l2_4 = Self::E1_2_4;
         }
-        let s3 = x1 + (0.009942671770940647 * x2) + (0.000617855984662823 * x3);
-        let x1_on = s3 + (0.00010803832226644697 * d) + (l1_1 * off1) + (l2_1 * off2);
-        let s4 = (0.9857608243445873 * x2) + (0.11206871748434033 * x3);
-        let x2_on = s4 + (0.030892799233141147 * d) + (l1_2 * off1) + (l2_2 * off2);
-        let s5 = ((-0.11206871748434033) * x2) + (0.5412215783233707 * x3);
-        let x3_on = s5 + (0.3745921515889058 * d) + (l1_3 * off1) + (l2_3 * off2);
+        let s5 = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3);
+        let x1_on = s5 + (Self::PHI1_4 * d) + (l1_1 * off1) + (l2_1 * off2);
+        let s6 = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3);
+        let x2_on = s6 + (Self::PHI2_4 * d) + (l1_2 * off1) + (l2_2 * off2);
+        let s7 = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3);
+        let x3_on = s7 + (Self::PHI3_4 * d) + (l1_3 * off1) + (l2_3 * off2);
         let d_on = d + (l1_4 * off1) + (l2_4 * off2);
         let left = self.samples.saturating_sub(elapsed);
-        let m0 = if (left as f64) < 6.0 {
-            6.0
+        let m0 = if (left as f64) < Self::HOLD {
+            Self::HOLD
         } else {
             left as f64
         };
         let v: f64;
 
         // The exact law in samples.
-        let s6 = ((-106850.90292251826) * x1) + (1124.1848178645955 * x2);
-        let z1 = s6 - (61.894579201640425 * x3);
-        let z2 = ((-642.8726851005619) * x2) + (53.018026963569255 * x3);
-        let z3 = (0.8030787004640786 * x2) - (24.09236101392236 * x3);
-        let s7 = (0.29872942459099683 * x2) + (1.238117262270095 * x3);
-        v = ((((((z1 / (m0 + 2.0)) + z2) / (m0 + 1.0)) + z3) / m0) + s7) - d;
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2) + (Self::W1_3 * x3);
+        let z2 = (Self::W2_2 * x2) + (Self::W2_3 * x3);
+        let z3 = (Self::W3_2 * x2) + (Self::W3_3 * x3);
+        let m0f1 = m0 + 2.0;
+        let m0f2 = m0f1 * (m0 + 1.0);
+        let s8 = (z1 + (z2 * m0f1) + (z3 * m0f2)) / (m0f2 * m0);
+        v = (s8 + ((Self::C_2 * x2) + (Self::C_3 * x3))) - d;
         if !(v.is_finite()
             && x1_on.is_finite()
             && x2_on.is_finite()
@@ -330,7 +429,7 @@ impl Stage47 {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -347,9 +446,9 @@ impl Stage47 {
         self.d_hat = d;
         self.d_next = d_on;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
-        } else if (left as f64) <= 6.0 {
+        } else if (left as f64) <= Self::HOLD {
             Status::Hold
         } else {
             Status::Ok

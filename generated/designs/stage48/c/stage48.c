@@ -33,6 +33,56 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE48_GAMMA1 9.364814153170347e-5 /* prediction from u */
+#define STAGE48_LATE_GAMMA1 1.4515165236407059e-5 /* prediction from u */
+#define STAGE48_GAMMA2 0.22442191668610964 /* prediction from u */
+#define STAGE48_LATE_GAMMA2 0.08499166561536914 /* prediction from u */
+#define STAGE48_GAMMA3 0.15880778157427425 /* prediction from u */
+#define STAGE48_LATE_GAMMA3 0.21578270324225896 /* prediction from u */
+#define STAGE48_OBSERVER_SAMPLES 50U /* samples of the round of the observer */
+#define STAGE48_Q1_1 (-96.0) /* weight in the observer's gain l1 */
+#define STAGE48_Q1_2 96.0 /* weight in the observer's gain l1 */
+#define STAGE48_Q1_3 (-48.0) /* weight in the observer's gain l1 */
+#define STAGE48_Q1_4 16.0 /* weight in the observer's gain l1 */
+#define STAGE48_Q2_1 859382.9277311233 /* weight in the observer's gain l2 */
+#define STAGE48_Q2_2 (-513847.60335174634) /* weight in the observer's gain l2 */
+#define STAGE48_Q2_3 125558.23800330989 /* weight in the observer's gain l2 */
+#define STAGE48_Q2_4 (-9808.939721535125) /* weight in the observer's gain l2 */
+#define STAGE48_Q3_1 (-620544.0922410007) /* weight in the observer's gain l3 */
+#define STAGE48_Q3_2 289368.54342637886 /* weight in the observer's gain l3 */
+#define STAGE48_Q3_3 (-49493.69520132396) /* weight in the observer's gain l3 */
+#define STAGE48_Q3_4 3680.3758886140504 /* weight in the observer's gain l3 */
+#define STAGE48_Q4_1 42644.35104284018 /* weight in the observer's gain l4 */
+#define STAGE48_E0_1 1.1314283505021951 /* gain of the observer at its end */
+#define STAGE48_E0_2 219.51265205459217 /* gain of the observer at its end */
+#define STAGE48_E0_3 75.63157806817 /* gain of the observer at its end */
+#define STAGE48_E0_4 (-118.45653067455605) /* gain of the observer at its end */
+#define STAGE48_E1_1 1.3092061282799727 /* gain of the observer at its end */
+#define STAGE48_E1_2 248.77479213018773 /* gain of the observer at its end */
+#define STAGE48_E1_3 58.354009083621726 /* gain of the observer at its end */
+#define STAGE48_E1_4 789.7102044970403 /* gain of the observer at its end */
+#define STAGE48_E2_1 1.531428350502195 /* gain of the observer at its end */
+#define STAGE48_E2_2 (-7.605455274169628) /* gain of the observer at its end */
+#define STAGE48_E2_3 (-864.4162017900436) /* gain of the observer at its end */
+#define STAGE48_E2_4 (-1776.8479601183408) /* gain of the observer at its end */
+#define STAGE48_E3_1 3.5314283505021953 /* gain of the observer at its end */
+#define STAGE48_E3_2 3400.952825738043 /* gain of the observer at its end */
+#define STAGE48_E3_3 1206.9697918675683 /* gain of the observer at its end */
+#define STAGE48_E3_4 1776.8479601183408 /* gain of the observer at its end */
+#define STAGE48_PHI1_2 0.000996505559752715 /* prediction of x1 from x2 */
+#define STAGE48_PHI1_3 0.0006188271646029575 /* prediction of x1 from x3 */
+#define STAGE48_PHI1_4 0.00010816330676811052 /* prediction of x1 from d */
+#define STAGE48_PHI2_2 0.9902193397510792 /* prediction of x2 from x2 */
+#define STAGE48_PHI2_3 1.1234620408672982 /* prediction of x2 from x3 */
+#define STAGE48_PHI2_4 0.30941358230147875 /* prediction of x2 from d */
+#define STAGE48_PHI3_2 (-0.011234620408672982) /* prediction of x3 from x2 */
+#define STAGE48_PHI3_3 0.5412090107511158 /* prediction of x3 from x3 */
+#define STAGE48_PHI3_4 0.37459048481653323 /* prediction of x3 from d */
+#define STAGE48_SAMPLES 100U /* samples from the start to rest */
+#define STAGE48_U_MAX 24.0 /* bound of |u| */
+#define STAGE48_HOLD 6.0 /* samples to go at which the gains are held */
+
 /* Gains of least energy of each state, a row for the samples to go of a node */
 static const double stage48_gains[56][3] = {
     {-1776.8479601183408, -3.433673119968826, -3.4085582810122124},
@@ -162,70 +212,67 @@ ptc_status stage48_step(stage48 *self, uint32_t k, const double y[1], double *u)
                 x3 = 0.0;
                 d = 0.0;
             } else {
-                const double s1 = 1.4515165236407059e-5 * self->u2;
-                x1 = self->x1_next + ((9.364814153170347e-5 * self->u3) + s1);
-                const double s2 = 0.22442191668610964 * self->u3;
-                x2 = self->x2_next + (s2 + (0.08499166561536914 * self->u2));
-                const double s3 = 0.15880778157427425 * self->u3;
-                x3 = self->x3_next + (s3 + (0.21578270324225896 * self->u2));
+                const double s1 = (STAGE48_GAMMA1 * self->u3) + (STAGE48_LATE_GAMMA1 * self->u2);
+                x1 = self->x1_next + s1;
+                const double s2 = (STAGE48_GAMMA2 * self->u3) + (STAGE48_LATE_GAMMA2 * self->u2);
+                x2 = self->x2_next + s2;
+                const double s3 = (STAGE48_GAMMA3 * self->u3) + (STAGE48_LATE_GAMMA3 * self->u2);
+                x3 = self->x3_next + s3;
                 d = self->d_next;
             }
 
             /* Prediction of the next sample. */
             const double miss1 = y[0] - x1;
             const double off1 = miss1;
-            const uint32_t left_o = (elapsed < 50U) ? (50U - elapsed) : 0U;
+            const uint32_t left_o = (elapsed < STAGE48_OBSERVER_SAMPLES) ? (STAGE48_OBSERVER_SAMPLES - elapsed) : 0U;
             const double o0 = (double)left_o;
             double l1;
             double l2;
             double l3;
             double l4;
-            if (10.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                const double r2 = 1.0 / (o0 - 2.0);
-                const double r3 = 1.0 / (o0 - 3.0);
-                const double s4 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-                l1 = s4 - 0.46857164949780494;
-                const double s5 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-                const double s6 = (((s5 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-                l2 = s6 + 264.4187821124759;
-                const double s7 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-                const double s8 = (((s7 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-                l3 = s8 - 98.64522377262374;
-                l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
+            if (o0 > 10.0) {
+                const double o0f2 = o0 * (o0 - 1.0);
+                const double o0f3 = o0f2 * (o0 - 2.0);
+                const double r0 = 1.0 / (o0f3 * (o0 - 3.0));
+                const double s4 = STAGE48_Q1_1 + (STAGE48_Q1_2 * o0) + (STAGE48_Q1_3 * o0f2);
+                l1 = ((s4 + (STAGE48_Q1_4 * o0f3)) * r0) - 0.46857164949780494;
+                const double s5 = STAGE48_Q2_1 + (STAGE48_Q2_2 * o0) + (STAGE48_Q2_3 * o0f2);
+                l2 = ((s5 + (STAGE48_Q2_4 * o0f3)) * r0) + 264.4187821124759;
+                const double s6 = STAGE48_Q3_1 + (STAGE48_Q3_2 * o0) + (STAGE48_Q3_3 * o0f2);
+                l3 = ((s6 + (STAGE48_Q3_4 * o0f3)) * r0) - 98.64522377262374;
+                l4 = STAGE48_Q4_1 * r0;
             } else if (left_o == 10U) {
-                l1 = 1.1314283505021951;
-                l2 = 219.51265205459217;
-                l3 = 75.63157806817;
-                l4 = -118.45653067455605;
+                l1 = STAGE48_E0_1;
+                l2 = STAGE48_E0_2;
+                l3 = STAGE48_E0_3;
+                l4 = STAGE48_E0_4;
             } else if (left_o == 9U) {
-                l1 = 1.3092061282799727;
-                l2 = 248.77479213018773;
-                l3 = 58.354009083621726;
-                l4 = 789.7102044970403;
+                l1 = STAGE48_E1_1;
+                l2 = STAGE48_E1_2;
+                l3 = STAGE48_E1_3;
+                l4 = STAGE48_E1_4;
             } else if (left_o == 8U) {
-                l1 = 1.531428350502195;
-                l2 = -7.605455274169628;
-                l3 = -864.4162017900436;
-                l4 = -1776.8479601183408;
+                l1 = STAGE48_E2_1;
+                l2 = STAGE48_E2_2;
+                l3 = STAGE48_E2_3;
+                l4 = STAGE48_E2_4;
             } else {
-                l1 = 3.5314283505021953;
-                l2 = 3400.952825738043;
-                l3 = 1206.9697918675683;
-                l4 = 1776.8479601183408;
+                l1 = STAGE48_E3_1;
+                l2 = STAGE48_E3_2;
+                l3 = STAGE48_E3_3;
+                l4 = STAGE48_E3_4;
             }
-            const double s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-            const double x1_on = s9 + (0.00010816330676811052 * d) + (l1 * off1);
-            const double s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-            const double x2_on = s10 + (0.30941358230147875 * d) + (l2 * off1);
-            const double s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-            const double x3_on = s11 + (0.37459048481653323 * d) + (l3 * off1);
+            const double s7 = x1 + (STAGE48_PHI1_2 * x2) + (STAGE48_PHI1_3 * x3);
+            const double x1_on = s7 + (STAGE48_PHI1_4 * d) + (l1 * off1);
+            const double s8 = (STAGE48_PHI2_2 * x2) + (STAGE48_PHI2_3 * x3);
+            const double x2_on = s8 + (STAGE48_PHI2_4 * d) + (l2 * off1);
+            const double s9 = (STAGE48_PHI3_2 * x2) + (STAGE48_PHI3_3 * x3);
+            const double x3_on = s9 + (STAGE48_PHI3_4 * d) + (l3 * off1);
             const double d_on = d + (l4 * off1);
-            const uint32_t left = (elapsed < 100U) ? (100U - elapsed) : 0U;
+            const uint32_t left = (elapsed < STAGE48_SAMPLES) ? (STAGE48_SAMPLES - elapsed) : 0U;
             const uint32_t planned = (2U < left) ? (left - 2U) : 0U;
             uint32_t to_go;
-            if (6U < planned) {
+            if (planned > 6U) {
                 to_go = planned;
             } else {
                 to_go = 6U;
@@ -246,26 +293,26 @@ ptc_status stage48_step(stage48 *self, uint32_t k, const double y[1], double *u)
             }
 
             /* The state from which this input acts. */
-            const double s12 = x1 + (0.0014892124792996978 * x2);
-            const double s13 = 0.00010816330676811052 * (self->u1 + d);
-            const double s14 = s12 + (0.0012719952989597699 * x3) + s13;
-            const double p1 = s14 + (0.0002327420309725346 * (self->u2 + d));
-            const double s15 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
-            const double s16 = s15 + (0.30941358230147875 * (self->u1 + d));
-            const double p2 = s16 + (0.32658406717840616 * (self->u2 + d));
-            const double s17 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
-            const double s18 = s17 + (0.37459048481653323 * (self->u1 + d));
-            const double p3 = s18 + (0.11582869425785502 * (self->u2 + d));
+            const double s10 = x1 + (0.0014892124792996978 * x2);
+            const double s11 = 0.00010816330676811052 * (self->u1 + d);
+            const double s12 = s10 + (0.0012719952989597699 * x3) + s11;
+            const double p1 = s12 + (0.0002327420309725346 * (self->u2 + d));
+            const double s13 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
+            const double s14 = s13 + (0.30941358230147875 * (self->u1 + d));
+            const double p2 = s14 + (0.32658406717840616 * (self->u2 + d));
+            const double s15 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
+            const double s16 = s15 + (0.37459048481653323 * (self->u1 + d));
+            const double p3 = s16 + (0.11582869425785502 * (self->u2 + d));
 
             /* The law of least energy. */
             const uint32_t above = row + 1U;
             double v;
-            const double s19 = part * (stage48_gains[above][0] - stage48_gains[row][0]);
-            const double s20 = part * (stage48_gains[above][1] - stage48_gains[row][1]);
-            const double s21 = (stage48_gains[row][0] + s19) * p1;
-            const double s22 = part * (stage48_gains[above][2] - stage48_gains[row][2]);
-            const double s23 = s21 + ((stage48_gains[row][1] + s20) * p2);
-            v = (s23 + ((stage48_gains[row][2] + s22) * p3)) - d;
+            const double s17 = part * (stage48_gains[above][0] - stage48_gains[row][0]);
+            const double s18 = part * (stage48_gains[above][1] - stage48_gains[row][1]);
+            const double s19 = (stage48_gains[row][0] + s17) * p1;
+            const double s20 = part * (stage48_gains[above][2] - stage48_gains[row][2]);
+            const double s21 = s19 + ((stage48_gains[row][1] + s18) * p2);
+            v = (s21 + ((stage48_gains[row][2] + s20) * p3)) - d;
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)
                 && PTC_FINITE_F64(x1_on)
@@ -273,10 +320,10 @@ ptc_status stage48_step(stage48 *self, uint32_t k, const double y[1], double *u)
                 && PTC_FINITE_F64(x3_on)
                 && PTC_FINITE_F64(d_on)) {
                 double u_now;
-                if (24.0 < v) {
-                    u_now = 24.0;
-                } else if (v < -24.0) {
-                    u_now = -24.0;
+                if (v > STAGE48_U_MAX) {
+                    u_now = STAGE48_U_MAX;
+                } else if (v < -STAGE48_U_MAX) {
+                    u_now = -STAGE48_U_MAX;
                 } else {
                     u_now = v;
                 }
@@ -293,9 +340,9 @@ ptc_status stage48_step(stage48 *self, uint32_t k, const double y[1], double *u)
                 self->d_next = d_on;
                 self->seen = 1U;
                 *u = u_now;
-                if ((24.0 < v) || (v < -24.0)) {
+                if ((v > STAGE48_U_MAX) || (v < -STAGE48_U_MAX)) {
                     status = PTC_SATURATED;
-                } else if (((double)left) - 2.0 <= 6.0) {
+                } else if (((double)left) - 2.0 <= STAGE48_HOLD) {
                     status = PTC_HOLD;
                 } else {
                     status = PTC_OK;

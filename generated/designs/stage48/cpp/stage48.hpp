@@ -42,8 +42,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE48_F8A2B25A_HPP
-#define STAGE48_F8A2B25A_HPP
+#ifndef STAGE48_875730E5_HPP
+#define STAGE48_875730E5_HPP
 
 #include <array>
 #include <cfloat>
@@ -171,70 +171,67 @@ public:
             x3 = 0.0;
             d = 0.0;
         } else {
-            const double s1 = 1.4515165236407059e-5 * u2_;
-            x1 = x1_next_ + ((9.364814153170347e-5 * u3_) + s1);
-            const double s2 = 0.22442191668610964 * u3_;
-            x2 = x2_next_ + (s2 + (0.08499166561536914 * u2_));
-            const double s3 = 0.15880778157427425 * u3_;
-            x3 = x3_next_ + (s3 + (0.21578270324225896 * u2_));
+            const double s1 = (gamma1_ * u3_) + (late_gamma1_ * u2_);
+            x1 = x1_next_ + s1;
+            const double s2 = (gamma2_ * u3_) + (late_gamma2_ * u2_);
+            x2 = x2_next_ + s2;
+            const double s3 = (gamma3_ * u3_) + (late_gamma3_ * u2_);
+            x3 = x3_next_ + s3;
             d = d_next_;
         }
 
         // Prediction of the next sample.
         const double miss1 = y[0] - x1;
         const double off1 = miss1;
-        const std::uint32_t left_o = (elapsed < 50U) ? (50U - elapsed) : 0U;
+        const std::uint32_t left_o = (elapsed < observer_samples_) ? (observer_samples_ - elapsed) : 0U;
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
         double l3{};
         double l4{};
-        if (10.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            const double r3 = 1.0 / (o0 - 3.0);
-            const double s4 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-            l1 = s4 - 0.46857164949780494;
-            const double s5 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-            const double s6 = (((s5 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-            l2 = s6 + 264.4187821124759;
-            const double s7 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-            const double s8 = (((s7 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-            l3 = s8 - 98.64522377262374;
-            l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
+        if (o0 > 10.0) {
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double o0f3 = o0f2 * (o0 - 2.0);
+            const double r0 = 1.0 / (o0f3 * (o0 - 3.0));
+            const double s4 = q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2);
+            l1 = ((s4 + (q1_4_ * o0f3)) * r0) - 0.46857164949780494;
+            const double s5 = q2_1_ + (q2_2_ * o0) + (q2_3_ * o0f2);
+            l2 = ((s5 + (q2_4_ * o0f3)) * r0) + 264.4187821124759;
+            const double s6 = q3_1_ + (q3_2_ * o0) + (q3_3_ * o0f2);
+            l3 = ((s6 + (q3_4_ * o0f3)) * r0) - 98.64522377262374;
+            l4 = q4_1_ * r0;
         } else if (left_o == 10U) {
-            l1 = 1.1314283505021951;
-            l2 = 219.51265205459217;
-            l3 = 75.63157806817;
-            l4 = -118.45653067455605;
+            l1 = e0_1_;
+            l2 = e0_2_;
+            l3 = e0_3_;
+            l4 = e0_4_;
         } else if (left_o == 9U) {
-            l1 = 1.3092061282799727;
-            l2 = 248.77479213018773;
-            l3 = 58.354009083621726;
-            l4 = 789.7102044970403;
+            l1 = e1_1_;
+            l2 = e1_2_;
+            l3 = e1_3_;
+            l4 = e1_4_;
         } else if (left_o == 8U) {
-            l1 = 1.531428350502195;
-            l2 = -7.605455274169628;
-            l3 = -864.4162017900436;
-            l4 = -1776.8479601183408;
+            l1 = e2_1_;
+            l2 = e2_2_;
+            l3 = e2_3_;
+            l4 = e2_4_;
         } else {
-            l1 = 3.5314283505021953;
-            l2 = 3400.952825738043;
-            l3 = 1206.9697918675683;
-            l4 = 1776.8479601183408;
+            l1 = e3_1_;
+            l2 = e3_2_;
+            l3 = e3_3_;
+            l4 = e3_4_;
         }
-        const double s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        const double x1_on = s9 + (0.00010816330676811052 * d) + (l1 * off1);
-        const double s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        const double x2_on = s10 + (0.30941358230147875 * d) + (l2 * off1);
-        const double s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        const double x3_on = s11 + (0.37459048481653323 * d) + (l3 * off1);
+        const double s7 = x1 + (phi1_2_ * x2) + (phi1_3_ * x3);
+        const double x1_on = s7 + (phi1_4_ * d) + (l1 * off1);
+        const double s8 = (phi2_2_ * x2) + (phi2_3_ * x3);
+        const double x2_on = s8 + (phi2_4_ * d) + (l2 * off1);
+        const double s9 = (phi3_2_ * x2) + (phi3_3_ * x3);
+        const double x3_on = s9 + (phi3_4_ * d) + (l3 * off1);
         const double d_on = d + (l4 * off1);
-        const std::uint32_t left = (elapsed < 100U) ? (100U - elapsed) : 0U;
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const std::uint32_t planned = (2U < left) ? (left - 2U) : 0U;
         std::uint32_t to_go{};
-        if (6U < planned) {
+        if (planned > 6U) {
             to_go = planned;
         } else {
             to_go = 6U;
@@ -255,34 +252,34 @@ public:
         }
 
         // The state from which this input acts.
-        const double s12 = x1 + (0.0014892124792996978 * x2);
-        const double s13 = 0.00010816330676811052 * (u1_ + d);
-        const double s14 = s12 + (0.0012719952989597699 * x3) + s13;
-        const double p1 = s14 + (0.0002327420309725346 * (u2_ + d));
-        const double s15 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
-        const double s16 = s15 + (0.30941358230147875 * (u1_ + d));
-        const double p2 = s16 + (0.32658406717840616 * (u2_ + d));
-        const double s17 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
-        const double s18 = s17 + (0.37459048481653323 * (u1_ + d));
-        const double p3 = s18 + (0.11582869425785502 * (u2_ + d));
+        const double s10 = x1 + (0.0014892124792996978 * x2);
+        const double s11 = 0.00010816330676811052 * (u1_ + d);
+        const double s12 = s10 + (0.0012719952989597699 * x3) + s11;
+        const double p1 = s12 + (0.0002327420309725346 * (u2_ + d));
+        const double s13 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
+        const double s14 = s13 + (0.30941358230147875 * (u1_ + d));
+        const double p2 = s14 + (0.32658406717840616 * (u2_ + d));
+        const double s15 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
+        const double s16 = s15 + (0.37459048481653323 * (u1_ + d));
+        const double p3 = s16 + (0.11582869425785502 * (u2_ + d));
 
         // The law of least energy.
         const std::uint32_t above = row + 1U;
         double v{};
-        const double s19 = part * (gains_[above][0] - gains_[row][0]);
-        const double s20 = part * (gains_[above][1] - gains_[row][1]);
-        const double s21 = (gains_[row][0] + s19) * p1;
-        const double s22 = part * (gains_[above][2] - gains_[row][2]);
-        const double s23 = s21 + ((gains_[row][1] + s20) * p2);
-        v = (s23 + ((gains_[row][2] + s22) * p3)) - d;
+        const double s17 = part * (gains_[above][0] - gains_[row][0]);
+        const double s18 = part * (gains_[above][1] - gains_[row][1]);
+        const double s19 = (gains_[row][0] + s17) * p1;
+        const double s20 = part * (gains_[above][2] - gains_[row][2]);
+        const double s21 = s19 + ((gains_[row][1] + s18) * p2);
+        v = (s21 + ((gains_[row][2] + s20) * p3)) - d;
         if (!(finite(v) && finite(x1_on) && finite(x2_on) && finite(x3_on) && finite(d_on))) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (24.0 < v) {
-            u_now = 24.0;
-        } else if (v < -24.0) {
-            u_now = -24.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -298,9 +295,9 @@ public:
         d_hat_ = d;
         d_next_ = d_on;
         seen_ = 1U;
-        if ((24.0 < v) || (v < -24.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
-        } else if (static_cast<double>(left) - 2.0 <= 6.0) {
+        } else if (static_cast<double>(left) - 2.0 <= hold_) {
             return {u_now, Status::Hold};
         } else {
             return {u_now, Status::Ok};
@@ -330,6 +327,102 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Prediction from u.
+    static constexpr double gamma1_{9.364814153170347e-5};
+    /// Prediction from u.
+    static constexpr double late_gamma1_{1.4515165236407059e-5};
+    /// Prediction from u.
+    static constexpr double gamma2_{0.22442191668610964};
+    /// Prediction from u.
+    static constexpr double late_gamma2_{0.08499166561536914};
+    /// Prediction from u.
+    static constexpr double gamma3_{0.15880778157427425};
+    /// Prediction from u.
+    static constexpr double late_gamma3_{0.21578270324225896};
+    /// Samples of the round of the observer.
+    static constexpr std::uint32_t observer_samples_{50U};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{-96.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{96.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{-48.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_4_{16.0};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_1_{859382.9277311233};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_2_{-513847.60335174634};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_3_{125558.23800330989};
+    /// Weight in the observer's gain l2.
+    static constexpr double q2_4_{-9808.939721535125};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_1_{-620544.0922410007};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_2_{289368.54342637886};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_3_{-49493.69520132396};
+    /// Weight in the observer's gain l3.
+    static constexpr double q3_4_{3680.3758886140504};
+    /// Weight in the observer's gain l4.
+    static constexpr double q4_1_{42644.35104284018};
+    /// Gain of the observer at its end.
+    static constexpr double e0_1_{1.1314283505021951};
+    /// Gain of the observer at its end.
+    static constexpr double e0_2_{219.51265205459217};
+    /// Gain of the observer at its end.
+    static constexpr double e0_3_{75.63157806817};
+    /// Gain of the observer at its end.
+    static constexpr double e0_4_{-118.45653067455605};
+    /// Gain of the observer at its end.
+    static constexpr double e1_1_{1.3092061282799727};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_{248.77479213018773};
+    /// Gain of the observer at its end.
+    static constexpr double e1_3_{58.354009083621726};
+    /// Gain of the observer at its end.
+    static constexpr double e1_4_{789.7102044970403};
+    /// Gain of the observer at its end.
+    static constexpr double e2_1_{1.531428350502195};
+    /// Gain of the observer at its end.
+    static constexpr double e2_2_{-7.605455274169628};
+    /// Gain of the observer at its end.
+    static constexpr double e2_3_{-864.4162017900436};
+    /// Gain of the observer at its end.
+    static constexpr double e2_4_{-1776.8479601183408};
+    /// Gain of the observer at its end.
+    static constexpr double e3_1_{3.5314283505021953};
+    /// Gain of the observer at its end.
+    static constexpr double e3_2_{3400.952825738043};
+    /// Gain of the observer at its end.
+    static constexpr double e3_3_{1206.9697918675683};
+    /// Gain of the observer at its end.
+    static constexpr double e3_4_{1776.8479601183408};
+    /// Prediction of x1 from x2.
+    static constexpr double phi1_2_{0.000996505559752715};
+    /// Prediction of x1 from x3.
+    static constexpr double phi1_3_{0.0006188271646029575};
+    /// Prediction of x1 from d.
+    static constexpr double phi1_4_{0.00010816330676811052};
+    /// Prediction of x2 from x2.
+    static constexpr double phi2_2_{0.9902193397510792};
+    /// Prediction of x2 from x3.
+    static constexpr double phi2_3_{1.1234620408672982};
+    /// Prediction of x2 from d.
+    static constexpr double phi2_4_{0.30941358230147875};
+    /// Prediction of x3 from x2.
+    static constexpr double phi3_2_{-0.011234620408672982};
+    /// Prediction of x3 from x3.
+    static constexpr double phi3_3_{0.5412090107511158};
+    /// Prediction of x3 from d.
+    static constexpr double phi3_4_{0.37459048481653323};
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{100U};
+    /// Bound of |u|.
+    static constexpr double u_max_{24.0};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{6.0};
 
     /// Gains of least energy of each state, a row for the samples to go of a node.
     static constexpr std::array<std::array<double, 3>, 56> gains_{{

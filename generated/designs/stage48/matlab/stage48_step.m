@@ -14,6 +14,54 @@ function [u, status, self] = stage48_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+gamma1 = 9.364814153170347e-5; % prediction from u
+late_gamma1 = 1.4515165236407059e-5; % prediction from u
+gamma2 = 0.22442191668610964; % prediction from u
+late_gamma2 = 0.08499166561536914; % prediction from u
+gamma3 = 0.15880778157427425; % prediction from u
+late_gamma3 = 0.21578270324225896; % prediction from u
+observer_samples = uint32(50); % samples of the round of the observer
+q1_1 = -96.0; % weight in the observer's gain l1
+q1_2 = 96.0; % weight in the observer's gain l1
+q1_3 = -48.0; % weight in the observer's gain l1
+q1_4 = 16.0; % weight in the observer's gain l1
+q2_1 = 859382.9277311233; % weight in the observer's gain l2
+q2_2 = -513847.60335174634; % weight in the observer's gain l2
+q2_3 = 125558.23800330989; % weight in the observer's gain l2
+q2_4 = -9808.939721535125; % weight in the observer's gain l2
+q3_1 = -620544.0922410007; % weight in the observer's gain l3
+q3_2 = 289368.54342637886; % weight in the observer's gain l3
+q3_3 = -49493.69520132396; % weight in the observer's gain l3
+q3_4 = 3680.3758886140504; % weight in the observer's gain l3
+q4_1 = 42644.35104284018; % weight in the observer's gain l4
+e0_1 = 1.1314283505021951; % gain of the observer at its end
+e0_2 = 219.51265205459217; % gain of the observer at its end
+e0_3 = 75.63157806817; % gain of the observer at its end
+e0_4 = -118.45653067455605; % gain of the observer at its end
+e1_1 = 1.3092061282799727; % gain of the observer at its end
+e1_2 = 248.77479213018773; % gain of the observer at its end
+e1_3 = 58.354009083621726; % gain of the observer at its end
+e1_4 = 789.7102044970403; % gain of the observer at its end
+e2_1 = 1.531428350502195; % gain of the observer at its end
+e2_2 = -7.605455274169628; % gain of the observer at its end
+e2_3 = -864.4162017900436; % gain of the observer at its end
+e2_4 = -1776.8479601183408; % gain of the observer at its end
+e3_1 = 3.5314283505021953; % gain of the observer at its end
+e3_2 = 3400.952825738043; % gain of the observer at its end
+e3_3 = 1206.9697918675683; % gain of the observer at its end
+e3_4 = 1776.8479601183408; % gain of the observer at its end
+phi1_2 = 0.000996505559752715; % prediction of x1 from x2
+phi1_3 = 0.0006188271646029575; % prediction of x1 from x3
+phi1_4 = 0.00010816330676811052; % prediction of x1 from d
+phi2_2 = 0.9902193397510792; % prediction of x2 from x2
+phi2_3 = 1.1234620408672982; % prediction of x2 from x3
+phi2_4 = 0.30941358230147875; % prediction of x2 from d
+phi3_2 = -0.011234620408672982; % prediction of x3 from x2
+phi3_3 = 0.5412090107511158; % prediction of x3 from x3
+phi3_4 = 0.37459048481653323; % prediction of x3 from d
+samples = uint32(100); % samples from the start to rest
+u_max = 24.0; % bound of |u|
+hold = 6.0; % samples to go at which the gains are held
 % Gains of least energy of each state, a row for the samples to go of a node.
 gains = [
     -1776.8479601183408, -3.433673119968826, -3.4085582810122124;
@@ -94,65 +142,62 @@ if self.seen == uint32(0)
     x3 = 0.0;
     d = 0.0;
 else
-    s1 = 1.4515165236407059e-5 * self.u2;
-    x1 = self.x1_next + ((9.364814153170347e-5 * self.u3) + s1);
-    s2 = 0.22442191668610964 * self.u3;
-    x2 = self.x2_next + (s2 + (0.08499166561536914 * self.u2));
-    s3 = 0.15880778157427425 * self.u3;
-    x3 = self.x3_next + (s3 + (0.21578270324225896 * self.u2));
+    s1 = (gamma1 * self.u3) + (late_gamma1 * self.u2);
+    x1 = self.x1_next + s1;
+    s2 = (gamma2 * self.u3) + (late_gamma2 * self.u2);
+    x2 = self.x2_next + s2;
+    s3 = (gamma3 * self.u3) + (late_gamma3 * self.u2);
+    x3 = self.x3_next + s3;
     d = self.d_next;
 end
 
 % Prediction of the next sample.
 miss1 = y(1) - x1;
 off1 = miss1;
-left_o = uint32(50) - elapsed;
+left_o = observer_samples - elapsed;
 o0 = double(left_o);
-if 10.0 < o0
-    r0 = 1.0 / o0;
-    r1 = 1.0 / (o0 - 1.0);
-    r2 = 1.0 / (o0 - 2.0);
-    r3 = 1.0 / (o0 - 3.0);
-    s4 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-    l1 = s4 - 0.46857164949780494;
-    s5 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-    s6 = (((s5 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-    l2 = s6 + 264.4187821124759;
-    s7 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-    s8 = (((s7 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-    l3 = s8 - 98.64522377262374;
-    l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
+if o0 > 10.0
+    o0f2 = o0 * (o0 - 1.0);
+    o0f3 = o0f2 * (o0 - 2.0);
+    r0 = 1.0 / (o0f3 * (o0 - 3.0));
+    s4 = q1_1 + (q1_2 * o0) + (q1_3 * o0f2);
+    l1 = ((s4 + (q1_4 * o0f3)) * r0) - 0.46857164949780494;
+    s5 = q2_1 + (q2_2 * o0) + (q2_3 * o0f2);
+    l2 = ((s5 + (q2_4 * o0f3)) * r0) + 264.4187821124759;
+    s6 = q3_1 + (q3_2 * o0) + (q3_3 * o0f2);
+    l3 = ((s6 + (q3_4 * o0f3)) * r0) - 98.64522377262374;
+    l4 = q4_1 * r0;
 elseif left_o == uint32(10)
-    l1 = 1.1314283505021951;
-    l2 = 219.51265205459217;
-    l3 = 75.63157806817;
-    l4 = -118.45653067455605;
+    l1 = e0_1;
+    l2 = e0_2;
+    l3 = e0_3;
+    l4 = e0_4;
 elseif left_o == uint32(9)
-    l1 = 1.3092061282799727;
-    l2 = 248.77479213018773;
-    l3 = 58.354009083621726;
-    l4 = 789.7102044970403;
+    l1 = e1_1;
+    l2 = e1_2;
+    l3 = e1_3;
+    l4 = e1_4;
 elseif left_o == uint32(8)
-    l1 = 1.531428350502195;
-    l2 = -7.605455274169628;
-    l3 = -864.4162017900436;
-    l4 = -1776.8479601183408;
+    l1 = e2_1;
+    l2 = e2_2;
+    l3 = e2_3;
+    l4 = e2_4;
 else
-    l1 = 3.5314283505021953;
-    l2 = 3400.952825738043;
-    l3 = 1206.9697918675683;
-    l4 = 1776.8479601183408;
+    l1 = e3_1;
+    l2 = e3_2;
+    l3 = e3_3;
+    l4 = e3_4;
 end
-s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-x1_on = s9 + (0.00010816330676811052 * d) + (l1 * off1);
-s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-x2_on = s10 + (0.30941358230147875 * d) + (l2 * off1);
-s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-x3_on = s11 + (0.37459048481653323 * d) + (l3 * off1);
+s7 = x1 + (phi1_2 * x2) + (phi1_3 * x3);
+x1_on = s7 + (phi1_4 * d) + (l1 * off1);
+s8 = (phi2_2 * x2) + (phi2_3 * x3);
+x2_on = s8 + (phi2_4 * d) + (l2 * off1);
+s9 = (phi3_2 * x2) + (phi3_3 * x3);
+x3_on = s9 + (phi3_4 * d) + (l3 * off1);
 d_on = d + (l4 * off1);
-left = uint32(100) - elapsed;
+left = samples - elapsed;
 planned = left - uint32(2);
-if uint32(6) < planned
+if planned > uint32(6)
     to_go = planned;
 else
     to_go = uint32(6);
@@ -171,33 +216,33 @@ else
 end
 
 % The state from which this input acts.
-s12 = x1 + (0.0014892124792996978 * x2);
-s13 = 0.00010816330676811052 * (self.u1 + d);
-s14 = s12 + (0.0012719952989597699 * x3) + s13;
-p1 = s14 + (0.0002327420309725346 * (self.u2 + d));
-s15 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
-s16 = s15 + (0.30941358230147875 * (self.u1 + d));
-p2 = s16 + (0.32658406717840616 * (self.u2 + d));
-s17 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
-s18 = s17 + (0.37459048481653323 * (self.u1 + d));
-p3 = s18 + (0.11582869425785502 * (self.u2 + d));
+s10 = x1 + (0.0014892124792996978 * x2);
+s11 = 0.00010816330676811052 * (self.u1 + d);
+s12 = s10 + (0.0012719952989597699 * x3) + s11;
+p1 = s12 + (0.0002327420309725346 * (self.u2 + d));
+s13 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
+s14 = s13 + (0.30941358230147875 * (self.u1 + d));
+p2 = s14 + (0.32658406717840616 * (self.u2 + d));
+s15 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
+s16 = s15 + (0.37459048481653323 * (self.u1 + d));
+p3 = s16 + (0.11582869425785502 * (self.u2 + d));
 
 % The law of least energy.
 above = row + uint32(1);
-s19 = part * (gains(above + 1, 1) - gains(row + 1, 1));
-s20 = part * (gains(above + 1, 2) - gains(row + 1, 2));
-s21 = (gains(row + 1, 1) + s19) * p1;
-s22 = part * (gains(above + 1, 3) - gains(row + 1, 3));
-s23 = s21 + ((gains(row + 1, 2) + s20) * p2);
-v = (s23 + ((gains(row + 1, 3) + s22) * p3)) - d;
+s17 = part * (gains(above + 1, 1) - gains(row + 1, 1));
+s18 = part * (gains(above + 1, 2) - gains(row + 1, 2));
+s19 = (gains(row + 1, 1) + s17) * p1;
+s20 = part * (gains(above + 1, 3) - gains(row + 1, 3));
+s21 = s19 + ((gains(row + 1, 2) + s18) * p2);
+v = (s21 + ((gains(row + 1, 3) + s20) * p3)) - d;
 if ~(isfinite(v) && isfinite(x1_on) && isfinite(x2_on) && isfinite(x3_on) && isfinite(d_on))
     status = int32(-3);
     return;
 end
-if 24.0 < v
-    u_now = 24.0;
-elseif v < -24.0
-    u_now = -24.0;
+if v > u_max
+    u_now = u_max;
+elseif v < -u_max
+    u_now = -u_max;
 else
     u_now = v;
 end
@@ -213,10 +258,10 @@ self.x3_next = x3_on;
 self.d_hat = d;
 self.d_next = d_on;
 self.seen = uint32(1);
-if (24.0 < v) || (v < -24.0)
+if (v > u_max) || (v < -u_max)
     u = u_now;
     status = int32(2);
-elseif double(left) - 2.0 <= 6.0
+elseif double(left) - 2.0 <= hold
     u = u_now;
     status = int32(1);
 else

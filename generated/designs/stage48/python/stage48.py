@@ -101,6 +101,103 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Prediction from u.
+_GAMMA1 = _R(9.364814153170347e-5)
+# Prediction from u.
+_LATE_GAMMA1 = _R(1.4515165236407059e-5)
+# Prediction from u.
+_GAMMA2 = _R(0.22442191668610964)
+# Prediction from u.
+_LATE_GAMMA2 = _R(0.08499166561536914)
+# Prediction from u.
+_GAMMA3 = _R(0.15880778157427425)
+# Prediction from u.
+_LATE_GAMMA3 = _R(0.21578270324225896)
+# Samples of the round of the observer.
+_OBSERVER_SAMPLES = 50
+# Weight in the observer's gain l1.
+_Q1_1 = _R(-96.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(96.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(-48.0)
+# Weight in the observer's gain l1.
+_Q1_4 = _R(16.0)
+# Weight in the observer's gain l2.
+_Q2_1 = _R(859382.9277311233)
+# Weight in the observer's gain l2.
+_Q2_2 = _R(-513847.60335174634)
+# Weight in the observer's gain l2.
+_Q2_3 = _R(125558.23800330989)
+# Weight in the observer's gain l2.
+_Q2_4 = _R(-9808.939721535125)
+# Weight in the observer's gain l3.
+_Q3_1 = _R(-620544.0922410007)
+# Weight in the observer's gain l3.
+_Q3_2 = _R(289368.54342637886)
+# Weight in the observer's gain l3.
+_Q3_3 = _R(-49493.69520132396)
+# Weight in the observer's gain l3.
+_Q3_4 = _R(3680.3758886140504)
+# Weight in the observer's gain l4.
+_Q4_1 = _R(42644.35104284018)
+# Gain of the observer at its end.
+_E0_1 = _R(1.1314283505021951)
+# Gain of the observer at its end.
+_E0_2 = _R(219.51265205459217)
+# Gain of the observer at its end.
+_E0_3 = _R(75.63157806817)
+# Gain of the observer at its end.
+_E0_4 = _R(-118.45653067455605)
+# Gain of the observer at its end.
+_E1_1 = _R(1.3092061282799727)
+# Gain of the observer at its end.
+_E1_2 = _R(248.77479213018773)
+# Gain of the observer at its end.
+_E1_3 = _R(58.354009083621726)
+# Gain of the observer at its end.
+_E1_4 = _R(789.7102044970403)
+# Gain of the observer at its end.
+_E2_1 = _R(1.531428350502195)
+# Gain of the observer at its end.
+_E2_2 = _R(-7.605455274169628)
+# Gain of the observer at its end.
+_E2_3 = _R(-864.4162017900436)
+# Gain of the observer at its end.
+_E2_4 = _R(-1776.8479601183408)
+# Gain of the observer at its end.
+_E3_1 = _R(3.5314283505021953)
+# Gain of the observer at its end.
+_E3_2 = _R(3400.952825738043)
+# Gain of the observer at its end.
+_E3_3 = _R(1206.9697918675683)
+# Gain of the observer at its end.
+_E3_4 = _R(1776.8479601183408)
+# Prediction of x1 from x2.
+_PHI1_2 = _R(0.000996505559752715)
+# Prediction of x1 from x3.
+_PHI1_3 = _R(0.0006188271646029575)
+# Prediction of x1 from d.
+_PHI1_4 = _R(0.00010816330676811052)
+# Prediction of x2 from x2.
+_PHI2_2 = _R(0.9902193397510792)
+# Prediction of x2 from x3.
+_PHI2_3 = _R(1.1234620408672982)
+# Prediction of x2 from d.
+_PHI2_4 = _R(0.30941358230147875)
+# Prediction of x3 from x2.
+_PHI3_2 = _R(-0.011234620408672982)
+# Prediction of x3 from x3.
+_PHI3_3 = _R(0.5412090107511158)
+# Prediction of x3 from d.
+_PHI3_4 = _R(0.37459048481653323)
+# Samples from the start to rest.
+_SAMPLES = 100
+# Bound of |u|.
+_U_MAX = _R(24.0)
+# Samples to go at which the gains are held.
+_HOLD = _R(6.0)
+
 # Gains of least energy of each state, a row for the samples to go of a node.
 _GAINS = np.array(
     [
@@ -227,63 +324,60 @@ class Stage48:
                 x3 = _R(0.0)
                 d = _R(0.0)
             else:
-                s1 = 1.4515165236407059e-5 * self._u2
-                x1 = self._x1_next + ((9.364814153170347e-5 * self._u3) + s1)
-                s2 = 0.22442191668610964 * self._u3
-                x2 = self._x2_next + (s2 + (0.08499166561536914 * self._u2))
-                s3 = 0.15880778157427425 * self._u3
-                x3 = self._x3_next + (s3 + (0.21578270324225896 * self._u2))
+                s1 = (_GAMMA1 * self._u3) + (_LATE_GAMMA1 * self._u2)
+                x1 = self._x1_next + s1
+                s2 = (_GAMMA2 * self._u3) + (_LATE_GAMMA2 * self._u2)
+                x2 = self._x2_next + s2
+                s3 = (_GAMMA3 * self._u3) + (_LATE_GAMMA3 * self._u2)
+                x3 = self._x3_next + s3
                 d = self._d_next
 
             # Prediction of the next sample.
             miss1 = y[0] - x1
             off1 = miss1
-            left_o = max(50 - elapsed, 0)
+            left_o = max(_OBSERVER_SAMPLES - elapsed, 0)
             o0 = _R(left_o)
-            if 10.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                r2 = 1.0 / (o0 - 2.0)
-                r3 = 1.0 / (o0 - 3.0)
-                s4 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3
-                l1 = s4 - 0.46857164949780494
-                s5 = ((859382.9277311233 * r0) - 513847.60335174634) * r1
-                s6 = (((s5 + 125558.23800330989) * r2) - 9808.939721535125) * r3
-                l2 = s6 + 264.4187821124759
-                s7 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1
-                s8 = (((s7 - 49493.69520132396) * r2) + 3680.3758886140504) * r3
-                l3 = s8 - 98.64522377262374
-                l4 = 42644.35104284018 * r0 * r1 * r2 * r3
+            if o0 > 10.0:
+                o0f2 = o0 * (o0 - 1.0)
+                o0f3 = o0f2 * (o0 - 2.0)
+                r0 = 1.0 / (o0f3 * (o0 - 3.0))
+                s4 = _Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)
+                l1 = ((s4 + (_Q1_4 * o0f3)) * r0) - 0.46857164949780494
+                s5 = _Q2_1 + (_Q2_2 * o0) + (_Q2_3 * o0f2)
+                l2 = ((s5 + (_Q2_4 * o0f3)) * r0) + 264.4187821124759
+                s6 = _Q3_1 + (_Q3_2 * o0) + (_Q3_3 * o0f2)
+                l3 = ((s6 + (_Q3_4 * o0f3)) * r0) - 98.64522377262374
+                l4 = _Q4_1 * r0
             elif left_o == 10:
-                l1 = _R(1.1314283505021951)
-                l2 = _R(219.51265205459217)
-                l3 = _R(75.63157806817)
-                l4 = _R(-118.45653067455605)
+                l1 = _E0_1
+                l2 = _E0_2
+                l3 = _E0_3
+                l4 = _E0_4
             elif left_o == 9:
-                l1 = _R(1.3092061282799727)
-                l2 = _R(248.77479213018773)
-                l3 = _R(58.354009083621726)
-                l4 = _R(789.7102044970403)
+                l1 = _E1_1
+                l2 = _E1_2
+                l3 = _E1_3
+                l4 = _E1_4
             elif left_o == 8:
-                l1 = _R(1.531428350502195)
-                l2 = _R(-7.605455274169628)
-                l3 = _R(-864.4162017900436)
-                l4 = _R(-1776.8479601183408)
+                l1 = _E2_1
+                l2 = _E2_2
+                l3 = _E2_3
+                l4 = _E2_4
             else:
-                l1 = _R(3.5314283505021953)
-                l2 = _R(3400.952825738043)
-                l3 = _R(1206.9697918675683)
-                l4 = _R(1776.8479601183408)
-            s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3)
-            x1_on = s9 + (0.00010816330676811052 * d) + (l1 * off1)
-            s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3)
-            x2_on = s10 + (0.30941358230147875 * d) + (l2 * off1)
-            s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3)
-            x3_on = s11 + (0.37459048481653323 * d) + (l3 * off1)
+                l1 = _E3_1
+                l2 = _E3_2
+                l3 = _E3_3
+                l4 = _E3_4
+            s7 = x1 + (_PHI1_2 * x2) + (_PHI1_3 * x3)
+            x1_on = s7 + (_PHI1_4 * d) + (l1 * off1)
+            s8 = (_PHI2_2 * x2) + (_PHI2_3 * x3)
+            x2_on = s8 + (_PHI2_4 * d) + (l2 * off1)
+            s9 = (_PHI3_2 * x2) + (_PHI3_3 * x3)
+            x3_on = s9 + (_PHI3_4 * d) + (l3 * off1)
             d_on = d + (l4 * off1)
-            left = max(100 - elapsed, 0)
+            left = max(_SAMPLES - elapsed, 0)
             planned = max(left - 2, 0)
-            if 6 < planned:
+            if planned > 6:
                 to_go = planned
             else:
                 to_go = 6
@@ -300,25 +394,25 @@ class Stage48:
                 part = (0.25 * _R(to_go)) - _R(to_go // 4)
 
             # The state from which this input acts.
-            s12 = x1 + (0.0014892124792996978 * x2)
-            s13 = 0.00010816330676811052 * (self._u1 + d)
-            s14 = s12 + (0.0012719952989597699 * x3) + s13
-            p1 = s14 + (0.0002327420309725346 * (self._u2 + d))
-            s15 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3)
-            s16 = s15 + (0.30941358230147875 * (self._u1 + d))
-            p2 = s16 + (0.32658406717840616 * (self._u2 + d))
-            s17 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3)
-            s18 = s17 + (0.37459048481653323 * (self._u1 + d))
-            p3 = s18 + (0.11582869425785502 * (self._u2 + d))
+            s10 = x1 + (0.0014892124792996978 * x2)
+            s11 = 0.00010816330676811052 * (self._u1 + d)
+            s12 = s10 + (0.0012719952989597699 * x3) + s11
+            p1 = s12 + (0.0002327420309725346 * (self._u2 + d))
+            s13 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3)
+            s14 = s13 + (0.30941358230147875 * (self._u1 + d))
+            p2 = s14 + (0.32658406717840616 * (self._u2 + d))
+            s15 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3)
+            s16 = s15 + (0.37459048481653323 * (self._u1 + d))
+            p3 = s16 + (0.11582869425785502 * (self._u2 + d))
 
             # The law of least energy.
             above = row + 1
-            s19 = part * (_GAINS[above, 0] - _GAINS[row, 0])
-            s20 = part * (_GAINS[above, 1] - _GAINS[row, 1])
-            s21 = (_GAINS[row, 0] + s19) * p1
-            s22 = part * (_GAINS[above, 2] - _GAINS[row, 2])
-            s23 = s21 + ((_GAINS[row, 1] + s20) * p2)
-            v = (s23 + ((_GAINS[row, 2] + s22) * p3)) - d
+            s17 = part * (_GAINS[above, 0] - _GAINS[row, 0])
+            s18 = part * (_GAINS[above, 1] - _GAINS[row, 1])
+            s19 = (_GAINS[row, 0] + s17) * p1
+            s20 = part * (_GAINS[above, 2] - _GAINS[row, 2])
+            s21 = s19 + ((_GAINS[row, 1] + s18) * p2)
+            v = (s21 + ((_GAINS[row, 2] + s20) * p3)) - d
             if not (
                 np.isfinite(v)
                 and np.isfinite(x1_on)
@@ -327,10 +421,10 @@ class Stage48:
                 and np.isfinite(d_on)
             ):
                 return Control(_R(0.0), Status.RANGE)
-            if 24.0 < v:
-                u_now = _R(24.0)
-            elif v < -24.0:
-                u_now = _R(-24.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u3 = self._u2
@@ -345,9 +439,9 @@ class Stage48:
             self._d_hat = d
             self._d_next = d_on
             self._seen = 1
-            if (24.0 < v) or (v < -24.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
-            elif _R(left) - 2.0 <= 6.0:
+            elif _R(left) - 2.0 <= _HOLD:
                 return Control(u_now, Status.HOLD)
             else:
                 return Control(u_now, Status.OK)

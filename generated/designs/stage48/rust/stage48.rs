@@ -162,6 +162,103 @@ pub struct Stage48 {
     clippy::nursery
 )]
 impl Stage48 {
+    /// Prediction from u.
+    const GAMMA1: f64 = 9.364814153170347e-5;
+    /// Prediction from u.
+    const LATE_GAMMA1: f64 = 1.4515165236407059e-5;
+    /// Prediction from u.
+    const GAMMA2: f64 = 0.22442191668610964;
+    /// Prediction from u.
+    const LATE_GAMMA2: f64 = 0.08499166561536914;
+    /// Prediction from u.
+    const GAMMA3: f64 = 0.15880778157427425;
+    /// Prediction from u.
+    const LATE_GAMMA3: f64 = 0.21578270324225896;
+    /// Samples of the round of the observer.
+    const OBSERVER_SAMPLES: u32 = 50;
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = -96.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = 96.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = -48.0;
+    /// Weight in the observer's gain l1.
+    const Q1_4: f64 = 16.0;
+    /// Weight in the observer's gain l2.
+    const Q2_1: f64 = 859382.9277311233;
+    /// Weight in the observer's gain l2.
+    const Q2_2: f64 = -513847.60335174634;
+    /// Weight in the observer's gain l2.
+    const Q2_3: f64 = 125558.23800330989;
+    /// Weight in the observer's gain l2.
+    const Q2_4: f64 = -9808.939721535125;
+    /// Weight in the observer's gain l3.
+    const Q3_1: f64 = -620544.0922410007;
+    /// Weight in the observer's gain l3.
+    const Q3_2: f64 = 289368.54342637886;
+    /// Weight in the observer's gain l3.
+    const Q3_3: f64 = -49493.69520132396;
+    /// Weight in the observer's gain l3.
+    const Q3_4: f64 = 3680.3758886140504;
+    /// Weight in the observer's gain l4.
+    const Q4_1: f64 = 42644.35104284018;
+    /// Gain of the observer at its end.
+    const E0_1: f64 = 1.1314283505021951;
+    /// Gain of the observer at its end.
+    const E0_2: f64 = 219.51265205459217;
+    /// Gain of the observer at its end.
+    const E0_3: f64 = 75.63157806817;
+    /// Gain of the observer at its end.
+    const E0_4: f64 = -118.45653067455605;
+    /// Gain of the observer at its end.
+    const E1_1: f64 = 1.3092061282799727;
+    /// Gain of the observer at its end.
+    const E1_2: f64 = 248.77479213018773;
+    /// Gain of the observer at its end.
+    const E1_3: f64 = 58.354009083621726;
+    /// Gain of the observer at its end.
+    const E1_4: f64 = 789.7102044970403;
+    /// Gain of the observer at its end.
+    const E2_1: f64 = 1.531428350502195;
+    /// Gain of the observer at its end.
+    const E2_2: f64 = -7.605455274169628;
+    /// Gain of the observer at its end.
+    const E2_3: f64 = -864.4162017900436;
+    /// Gain of the observer at its end.
+    const E2_4: f64 = -1776.8479601183408;
+    /// Gain of the observer at its end.
+    const E3_1: f64 = 3.5314283505021953;
+    /// Gain of the observer at its end.
+    const E3_2: f64 = 3400.952825738043;
+    /// Gain of the observer at its end.
+    const E3_3: f64 = 1206.9697918675683;
+    /// Gain of the observer at its end.
+    const E3_4: f64 = 1776.8479601183408;
+    /// Prediction of x1 from x2.
+    const PHI1_2: f64 = 0.000996505559752715;
+    /// Prediction of x1 from x3.
+    const PHI1_3: f64 = 0.0006188271646029575;
+    /// Prediction of x1 from d.
+    const PHI1_4: f64 = 0.00010816330676811052;
+    /// Prediction of x2 from x2.
+    const PHI2_2: f64 = 0.9902193397510792;
+    /// Prediction of x2 from x3.
+    const PHI2_3: f64 = 1.1234620408672982;
+    /// Prediction of x2 from d.
+    const PHI2_4: f64 = 0.30941358230147875;
+    /// Prediction of x3 from x2.
+    const PHI3_2: f64 = -0.011234620408672982;
+    /// Prediction of x3 from x3.
+    const PHI3_3: f64 = 0.5412090107511158;
+    /// Prediction of x3 from d.
+    const PHI3_4: f64 = 0.37459048481653323;
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 100;
+    /// Bound of |u|.
+    const U_MAX: f64 = 24.0;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 6.0;
+
     /// Gains of least energy of each state, a row for the samples to go of a node.
     #[rustfmt::skip]
     const GAINS: &'static [[f64; 3]; 56] = &[
@@ -287,70 +384,67 @@ impl Stage48 {
             x3 = 0.0;
             d = 0.0;
         } else {
-            let s1 = 1.4515165236407059e-5 * self.u2;
-            x1 = self.x1_next + ((9.364814153170347e-5 * self.u3) + s1);
-            let s2 = 0.22442191668610964 * self.u3;
-            x2 = self.x2_next + (s2 + (0.08499166561536914 * self.u2));
-            let s3 = 0.15880778157427425 * self.u3;
-            x3 = self.x3_next + (s3 + (0.21578270324225896 * self.u2));
+            let s1 = (Self::GAMMA1 * self.u3) + (Self::LATE_GAMMA1 * self.u2);
+            x1 = self.x1_next + s1;
+            let s2 = (Self::GAMMA2 * self.u3) + (Self::LATE_GAMMA2 * self.u2);
+            x2 = self.x2_next + s2;
+            let s3 = (Self::GAMMA3 * self.u3) + (Self::LATE_GAMMA3 * self.u2);
+            x3 = self.x3_next + s3;
             d = self.d_next;
         }
 
         // Prediction of the next sample.
         let miss1 = y[0] - x1;
         let off1 = miss1;
-        let left_o = 50_u32.saturating_sub(elapsed);
+        let left_o = Self::OBSERVER_SAMPLES.saturating_sub(elapsed);
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
         let l3: f64;
         let l4: f64;
-        if 10.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            let r2 = 1.0 / (o0 - 2.0);
-            let r3 = 1.0 / (o0 - 3.0);
-            let s4 = (((((((-96.0) * r0) + 96.0) * r1) - 48.0) * r2) + 16.0) * r3;
-            l1 = s4 - 0.46857164949780494;
-            let s5 = ((859382.9277311233 * r0) - 513847.60335174634) * r1;
-            let s6 = (((s5 + 125558.23800330989) * r2) - 9808.939721535125) * r3;
-            l2 = s6 + 264.4187821124759;
-            let s7 = (((-620544.0922410007) * r0) + 289368.54342637886) * r1;
-            let s8 = (((s7 - 49493.69520132396) * r2) + 3680.3758886140504) * r3;
-            l3 = s8 - 98.64522377262374;
-            l4 = 42644.35104284018 * r0 * r1 * r2 * r3;
+        if o0 > 10.0 {
+            let o0f2 = o0 * (o0 - 1.0);
+            let o0f3 = o0f2 * (o0 - 2.0);
+            let r0 = 1.0 / (o0f3 * (o0 - 3.0));
+            let s4 = Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2);
+            l1 = ((s4 + (Self::Q1_4 * o0f3)) * r0) - 0.46857164949780494;
+            let s5 = Self::Q2_1 + (Self::Q2_2 * o0) + (Self::Q2_3 * o0f2);
+            l2 = ((s5 + (Self::Q2_4 * o0f3)) * r0) + 264.4187821124759;
+            let s6 = Self::Q3_1 + (Self::Q3_2 * o0) + (Self::Q3_3 * o0f2);
+            l3 = ((s6 + (Self::Q3_4 * o0f3)) * r0) - 98.64522377262374;
+            l4 = Self::Q4_1 * r0;
         } else if left_o == 10 {
-            l1 = 1.1314283505021951;
-            l2 = 219.51265205459217;
-            l3 = 75.63157806817;
-            l4 = -118.45653067455605;
+            l1 = Self::E0_1;
+            l2 = Self::E0_2;
+            l3 = Self::E0_3;
+            l4 = Self::E0_4;
         } else if left_o == 9 {
-            l1 = 1.3092061282799727;
-            l2 = 248.77479213018773;
-            l3 = 58.354009083621726;
-            l4 = 789.7102044970403;
+            l1 = Self::E1_1;
+            l2 = Self::E1_2;
+            l3 = Self::E1_3;
+            l4 = Self::E1_4;
         } else if left_o == 8 {
-            l1 = 1.531428350502195;
-            l2 = -7.605455274169628;
-            l3 = -864.4162017900436;
-            l4 = -1776.8479601183408;
+            l1 = Self::E2_1;
+            l2 = Self::E2_2;
+            l3 = Self::E2_3;
+            l4 = Self::E2_4;
         } else {
-            l1 = 3.5314283505021953;
-            l2 = 3400.952825738043;
-            l3 = 1206.9697918675683;
-            l4 = 1776.8479601183408;
+            l1 = Self::E3_1;
+            l2 = Self::E3_2;
+            l3 = Self::E3_3;
+            l4 = Self::E3_4;
         }
-        let s9 = x1 + (0.000996505559752715 * x2) + (0.0006188271646029575 * x3);
-        let x1_on = s9 + (0.00010816330676811052 * d) + (l1 * off1);
-        let s10 = (0.9902193397510792 * x2) + (1.1234620408672982 * x3);
-        let x2_on = s10 + (0.30941358230147875 * d) + (l2 * off1);
-        let s11 = ((-0.011234620408672982) * x2) + (0.5412090107511158 * x3);
-        let x3_on = s11 + (0.37459048481653323 * d) + (l3 * off1);
+        let s7 = x1 + (Self::PHI1_2 * x2) + (Self::PHI1_3 * x3);
+        let x1_on = s7 + (Self::PHI1_4 * d) + (l1 * off1);
+        let s8 = (Self::PHI2_2 * x2) + (Self::PHI2_3 * x3);
+        let x2_on = s8 + (Self::PHI2_4 * d) + (l2 * off1);
+        let s9 = (Self::PHI3_2 * x2) + (Self::PHI3_3 * x3);
+        let x3_on = s9 + (Self::PHI3_4 * d) + (l3 * off1);
         let d_on = d + (l4 * off1);
-        let left = 100_u32.saturating_sub(elapsed);
+        let left = Self::SAMPLES.saturating_sub(elapsed);
         let planned = left.saturating_sub(2);
         let to_go: u32;
-        if 6 < planned {
+        if planned > 6 {
             to_go = planned;
         } else {
             to_go = 6;
@@ -371,26 +465,26 @@ impl Stage48 {
         }
 
         // The state from which this input acts.
-        let s12 = x1 + (0.0014892124792996978 * x2);
-        let s13 = 0.00010816330676811052 * (self.u1 + d);
-        let s14 = s12 + (0.0012719952989597699 * x3) + s13;
-        let p1 = s14 + (0.0002327420309725346 * (self.u2 + d));
-        let s15 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
-        let s16 = s15 + (0.30941358230147875 * (self.u1 + d));
-        let p2 = s16 + (0.32658406717840616 * (self.u2 + d));
-        let s17 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
-        let s18 = s17 + (0.37459048481653323 * (self.u1 + d));
-        let p3 = s18 + (0.11582869425785502 * (self.u2 + d));
+        let s10 = x1 + (0.0014892124792996978 * x2);
+        let s11 = 0.00010816330676811052 * (self.u1 + d);
+        let s12 = s10 + (0.0012719952989597699 * x3) + s11;
+        let p1 = s12 + (0.0002327420309725346 * (self.u2 + d));
+        let s13 = (0.9801754642759536 * x2) + (1.4706215395736848 * x3);
+        let s14 = s13 + (0.30941358230147875 * (self.u1 + d));
+        let p2 = s14 + (0.32658406717840616 * (self.u2 + d));
+        let s15 = ((-0.014706215395736848) * x2) + (0.39241705562633755 * x3);
+        let s16 = s15 + (0.37459048481653323 * (self.u1 + d));
+        let p3 = s16 + (0.11582869425785502 * (self.u2 + d));
 
         // The law of least energy.
         let above = row + 1;
         let v: f64;
-        let s19 = part * (Self::GAINS[above as usize][0] - Self::GAINS[row as usize][0]);
-        let s20 = part * (Self::GAINS[above as usize][1] - Self::GAINS[row as usize][1]);
-        let s21 = (Self::GAINS[row as usize][0] + s19) * p1;
-        let s22 = part * (Self::GAINS[above as usize][2] - Self::GAINS[row as usize][2]);
-        let s23 = s21 + ((Self::GAINS[row as usize][1] + s20) * p2);
-        v = (s23 + ((Self::GAINS[row as usize][2] + s22) * p3)) - d;
+        let s17 = part * (Self::GAINS[above as usize][0] - Self::GAINS[row as usize][0]);
+        let s18 = part * (Self::GAINS[above as usize][1] - Self::GAINS[row as usize][1]);
+        let s19 = (Self::GAINS[row as usize][0] + s17) * p1;
+        let s20 = part * (Self::GAINS[above as usize][2] - Self::GAINS[row as usize][2]);
+        let s21 = s19 + ((Self::GAINS[row as usize][1] + s18) * p2);
+        v = (s21 + ((Self::GAINS[row as usize][2] + s20) * p3)) - d;
         if !(v.is_finite()
             && x1_on.is_finite()
             && x2_on.is_finite()
@@ -400,10 +494,10 @@ impl Stage48 {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 24.0 < v {
-            u_now = 24.0;
-        } else if v < -24.0 {
-            u_now = -24.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -419,9 +513,9 @@ impl Stage48 {
         self.d_hat = d;
         self.d_next = d_on;
         self.seen = 1;
-        let status = if (24.0 < v) || (v < -24.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
-        } else if (left as f64) - 2.0 <= 6.0 {
+        } else if (left as f64) - 2.0 <= Self::HOLD {
             Status::Hold
         } else {
             Status::Ok

@@ -32,6 +32,9 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE49_SAMPLES 170U /* samples from the start to rest */
+
 /* Gains of least energy of each state, a row for the samples to go of a node */
 static const float stage49_gains[14][4] = {
     {-9986.377f, -348.87903f, -1.9976025f, -2.9924133f},
@@ -54,7 +57,7 @@ ptc_status stage49_init(stage49 *self, const stage49_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if (0.0f < params->u_max) {
+        if (params->u_max > 0.0f) {
             const float u_max = params->u_max;
             self->start = 0U;
             self->u1 = 0.0f;
@@ -83,9 +86,9 @@ ptc_status stage49_step(stage49 *self, uint32_t k, const float x[2], float *u)
     const uint32_t elapsed = k - self->start;
     const float x1 = x[0];
     const float x2 = x[1];
-    const uint32_t left = (elapsed < 170U) ? (170U - elapsed) : 0U;
+    const uint32_t left = (elapsed < STAGE49_SAMPLES) ? (STAGE49_SAMPLES - elapsed) : 0U;
     uint32_t to_go;
-    if (4U < left) {
+    if (left > 4U) {
         to_go = left;
     } else {
         to_go = 4U;
@@ -128,8 +131,8 @@ ptc_status stage49_step(stage49 *self, uint32_t k, const float x[2], float *u)
     status = PTC_E_RANGE;
     if (PTC_FINITE_F32(v)) {
         float u_now;
-        if (elapsed < 170U) {
-            if (self->u_max < v) {
+        if (elapsed < STAGE49_SAMPLES) {
+            if (v > self->u_max) {
                 u_now = self->u_max;
             } else if (v < -self->u_max) {
                 u_now = -self->u_max;
@@ -142,8 +145,8 @@ ptc_status stage49_step(stage49 *self, uint32_t k, const float x[2], float *u)
         self->u2 = self->u1;
         self->u1 = u_now;
         *u = u_now;
-        if (elapsed < 170U) {
-            if ((self->u_max < v) || (v < -self->u_max)) {
+        if (elapsed < STAGE49_SAMPLES) {
+            if ((v > self->u_max) || (v < -self->u_max)) {
                 status = PTC_SATURATED;
             } else {
                 status = PTC_OK;

@@ -36,8 +36,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE49_AB662C1B_HPP
-#define STAGE49_AB662C1B_HPP
+#ifndef STAGE49_37E58668_HPP
+#define STAGE49_37E58668_HPP
 
 #include <array>
 #include <cfloat>
@@ -110,7 +110,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!(0.0f < params.u_max)) {
+        if (!(params.u_max > 0.0f)) {
             return Status::Param;
         }
         const float u_max = params.u_max;
@@ -135,9 +135,9 @@ public:
         const std::uint32_t elapsed = k - start_;
         const float x1 = x[0];
         const float x2 = x[1];
-        const std::uint32_t left = (elapsed < 170U) ? (170U - elapsed) : 0U;
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         std::uint32_t to_go{};
-        if (4U < left) {
+        if (left > 4U) {
             to_go = left;
         } else {
             to_go = 4U;
@@ -181,8 +181,8 @@ public:
             return {0.0f, Status::Range};
         }
         float u_now{};
-        if (elapsed < 170U) {
-            if (u_max_ < v) {
+        if (elapsed < samples_) {
+            if (v > u_max_) {
                 u_now = u_max_;
             } else if (v < -u_max_) {
                 u_now = -u_max_;
@@ -194,8 +194,8 @@ public:
         }
         u2_ = u1_;
         u1_ = u_now;
-        if (elapsed < 170U) {
-            if ((u_max_ < v) || (v < -u_max_)) {
+        if (elapsed < samples_) {
+            if ((v > u_max_) || (v < -u_max_)) {
                 return {u_now, Status::Saturated};
             } else {
                 return {u_now, Status::Ok};
@@ -211,6 +211,8 @@ private:
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
     }
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{170U};
 
     /// Gains of least energy of each state, a row for the samples to go of a node.
     static constexpr std::array<std::array<float, 4>, 14> gains_{{

@@ -46,7 +46,7 @@ function self = stage49_init(params) %#codegen
 %   envelope: not checked: it does not examine a clock in samples.
 
 given.u_max = single(params.u_max);
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage49:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 u_max = given.u_max;

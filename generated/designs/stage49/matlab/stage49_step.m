@@ -13,6 +13,7 @@ function [u, status, self] = stage49_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+samples = uint32(170); % samples from the start to rest
 % Gains of least energy of each state, a row for the samples to go of a node.
 gains = [
     -single(9986.376953125), -single(348.8790283203125), -single(1.9976024627685547), -single(2.992413282394409);
@@ -41,8 +42,8 @@ x = single(x);
 elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 x1 = x(1);
 x2 = x(2);
-left = uint32(170) - elapsed;
-if uint32(4) < left
+left = samples - elapsed;
+if left > uint32(4)
     to_go = left;
 else
     to_go = uint32(4);
@@ -83,8 +84,8 @@ if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if elapsed < uint32(170)
-    if self.u_max < v
+if elapsed < samples
+    if v > self.u_max
         u_now = self.u_max;
     elseif v < -self.u_max
         u_now = -self.u_max;
@@ -96,8 +97,8 @@ else
 end
 self.u2 = self.u1;
 self.u1 = u_now;
-if elapsed < uint32(170)
-    if (self.u_max < v) || (v < -self.u_max)
+if elapsed < samples
+    if (v > self.u_max) || (v < -self.u_max)
         u = u_now;
         status = int32(2);
     else

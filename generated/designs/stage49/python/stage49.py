@@ -98,6 +98,9 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples from the start to rest.
+_SAMPLES = 170
+
 # Gains of least energy of each state, a row for the samples to go of a node.
 _GAINS = np.array(
     [
@@ -128,7 +131,7 @@ class Stage49:
     def __init__(self, params: Params) -> None:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             u_max = given_u_max
             self._start = 0
@@ -156,8 +159,8 @@ class Stage49:
             elapsed = (k - self._start) & _WRAP
             x1 = x[0]
             x2 = x[1]
-            left = max(170 - elapsed, 0)
-            if 4 < left:
+            left = max(_SAMPLES - elapsed, 0)
+            if left > 4:
                 to_go = left
             else:
                 to_go = 4
@@ -194,8 +197,8 @@ class Stage49:
             v = s7 + ((_GAINS[row, 3] + s6) * self._u2)
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if elapsed < 170:
-                if self._u_max < v:
+            if elapsed < _SAMPLES:
+                if v > self._u_max:
                     u_now = self._u_max
                 elif v < -self._u_max:
                     u_now = -self._u_max
@@ -205,8 +208,8 @@ class Stage49:
                 u_now = _R(0.0)
             self._u2 = self._u1
             self._u1 = u_now
-            if elapsed < 170:
-                if (self._u_max < v) or (v < -self._u_max):
+            if elapsed < _SAMPLES:
+                if (v > self._u_max) or (v < -self._u_max):
                     return Control(u_now, Status.SATURATED)
                 else:
                     return Control(u_now, Status.OK)

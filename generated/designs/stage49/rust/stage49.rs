@@ -141,6 +141,9 @@ pub struct Stage49 {
     clippy::nursery
 )]
 impl Stage49 {
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 170;
+
     /// Gains of least energy of each state, a row for the samples to go of a node.
     #[rustfmt::skip]
     const GAINS: &'static [[f32; 4]; 14] = &[
@@ -165,7 +168,7 @@ impl Stage49 {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage49Params) -> Result<Self, Error> {
-        if !(0.0 < params.u_max) {
+        if !(params.u_max > 0.0) {
             return Err(Error::Param);
         }
         let u_max = params.u_max;
@@ -193,9 +196,9 @@ impl Stage49 {
         let elapsed = k.wrapping_sub(self.start);
         let x1 = x[0];
         let x2 = x[1];
-        let left = 170_u32.saturating_sub(elapsed);
+        let left = Self::SAMPLES.saturating_sub(elapsed);
         let to_go: u32;
-        if 4 < left {
+        if left > 4 {
             to_go = left;
         } else {
             to_go = 4;
@@ -239,8 +242,8 @@ impl Stage49 {
             return Err(Error::Range);
         }
         let u_now: f32;
-        if elapsed < 170 {
-            if self.u_max < v {
+        if elapsed < Self::SAMPLES {
+            if v > self.u_max {
                 u_now = self.u_max;
             } else if v < -self.u_max {
                 u_now = -self.u_max;
@@ -252,8 +255,8 @@ impl Stage49 {
         }
         self.u2 = self.u1;
         self.u1 = u_now;
-        let status = if elapsed < 170 {
-            if (self.u_max < v) || (v < -self.u_max) {
+        let status = if elapsed < Self::SAMPLES {
+            if (v > self.u_max) || (v < -self.u_max) {
                 Status::Saturated
             } else {
                 Status::Ok

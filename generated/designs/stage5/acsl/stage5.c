@@ -32,15 +32,20 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE5_DEADBEAT 5.5 /* 11/2, samples to go at which deadbeat takes over */
+#define STAGE5_C_5 2.0 /* weight of u1 in the law */
+#define STAGE5_B_5 (-4.0) /* weight of u1 in the law */
+#define STAGE5_B_6 (-10.0) /* weight of u2 in the law */
 ptc_status stage5_init(stage5 *self, const stage5_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((5U < params->samples)
+        if ((params->samples > 5U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
-            && (0.0 < params->u_max)
+            && (params->u_max > 0.0)
             && (1e-150 <= params->a)
             && (params->a <= 1e150)
             && PTC_FINITE_F64(params->k[0])
@@ -50,7 +55,7 @@ ptc_status stage5_init(stage5 *self, const stage5_params *params)
             && PTC_FINITE_F64(params->k[4])
             && PTC_FINITE_F64(params->k[5])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double hold = 0.01 / params->h;
             const double s1 = params->a * params->a * params->a * params->a * params->a;
@@ -127,8 +132,8 @@ ptc_status stage5_init(stage5 *self, const stage5_params *params)
                 && PTC_FINITE_F64(b_2)
                 && PTC_FINITE_F64(b_3)
                 && PTC_FINITE_F64(b_4)
-                && (1e-200 <= params->h * params->h * params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h * params->h * params->h))) {
+                && (params->h * params->h * params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h * params->h * params->h) >= 1e-200)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0;
@@ -181,7 +186,7 @@ ptc_status stage5_step(stage5 *self, uint32_t k, const double x[4], double *u)
     const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
     const double m0 = ((double)left < self->hold) ? self->hold : (double)left;
     double v;
-    if (5.5 < m0) {
+    if (m0 > STAGE5_DEADBEAT) {
         /* The exact law in samples. */
         const double s1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
         const double z1 = s1 + (self->w1_4 * x4);
@@ -190,18 +195,23 @@ ptc_status stage5_step(stage5 *self, uint32_t k, const double x[4], double *u)
         const double z4 = self->w4_4 * x4;
         const double z5 = self->w5_6 * self->u2;
         const double z6 = (self->w6_5 * self->u1) + (self->w6_6 * self->u2);
-        const double s2 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-        const double s3 = ((((s2 / (m0 - 3.0)) + z5) / (m0 - 4.0)) + z6) / (m0 - 5.0);
-        v = s3 + ((2.0 * self->u1) - self->u2);
+        const double m0f2 = m0 * (m0 - 1.0);
+        const double m0f3 = m0f2 * (m0 - 2.0);
+        const double m0f4 = m0f3 * (m0 - 3.0);
+        const double m0f5 = m0f4 * (m0 - 4.0);
+        const double s2 = z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3) + (z5 * m0f4);
+        const double s3 = (s2 + (z6 * m0f5)) / (m0f5 * (m0 - 5.0));
+        v = s3 + ((STAGE5_C_5 * self->u1) - self->u2);
     } else {
         /* Deadbeat. */
         const double s4 = (self->b_1 * x1) + (self->b_2 * x2) + (self->b_3 * x3);
-        v = ((s4 + (self->b_4 * x4)) - (4.0 * self->u1)) - (10.0 * self->u2);
+        const double s5 = s4 + (self->b_4 * x4) + (STAGE5_B_5 * self->u1);
+        v = s5 + (STAGE5_B_6 * self->u2);
     }
     status = PTC_E_RANGE;
     if (PTC_FINITE_F64(v)) {
         double u_now;
-        if (self->u_max < v) {
+        if (v > self->u_max) {
             u_now = self->u_max;
         } else if (v < -self->u_max) {
             u_now = -self->u_max;
@@ -211,7 +221,7 @@ ptc_status stage5_step(stage5 *self, uint32_t k, const double x[4], double *u)
         self->u2 = self->u1;
         self->u1 = u_now;
         *u = u_now;
-        if ((self->u_max < v) || (v < -self->u_max)) {
+        if ((v > self->u_max) || (v < -self->u_max)) {
             status = PTC_SATURATED;
         } else if ((double)left <= self->hold) {
             status = PTC_HOLD;

@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE5_F5C329AA_H
-#define STAGE5_F5C329AA_H
+#ifndef STAGE5_A9034671_H
+#define STAGE5_A9034671_H
 
 #include <stdint.h>
 
@@ -86,23 +86,23 @@ typedef struct stage5 {
     double u1; /* input of the last sample */
     double u2; /* input of 2 samples ago */
     double hold; /* samples to go at which the gains are held */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w1_3; /* weight of a state in the law */
-    double w1_4; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double w2_3; /* weight of a state in the law */
-    double w2_4; /* weight of a state in the law */
-    double w3_3; /* weight of a state in the law */
-    double w3_4; /* weight of a state in the law */
-    double w4_4; /* weight of a state in the law */
-    double w5_6; /* weight of a state in the law */
-    double w6_5; /* weight of a state in the law */
-    double w6_6; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
-    double b_2; /* weight of a state in the law */
-    double b_3; /* weight of a state in the law */
-    double b_4; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w1_3; /* weight of x3 in the law */
+    double w1_4; /* weight of x4 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double w2_3; /* weight of x3 in the law */
+    double w2_4; /* weight of x4 in the law */
+    double w3_3; /* weight of x3 in the law */
+    double w3_4; /* weight of x4 in the law */
+    double w4_4; /* weight of x4 in the law */
+    double w5_6; /* weight of u2 in the law */
+    double w6_5; /* weight of u1 in the law */
+    double w6_6; /* weight of u2 in the law */
+    double b_1; /* weight of x1 in the law */
+    double b_2; /* weight of x2 in the law */
+    double b_3; /* weight of x3 in the law */
+    double b_4; /* weight of x4 in the law */
     double u_max; /* bound of |u| */
 } stage5;
 

@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE5_D6044046_HPP
-#define STAGE5_D6044046_HPP
+#ifndef STAGE5_F3DD29C9_HPP
+#define STAGE5_F3DD29C9_HPP
 
 #include <array>
 #include <cfloat>
@@ -121,10 +121,10 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((5U < params.samples)
+        if (!((params.samples > 5U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
-                && (0.0 < params.u_max)
+                && (params.u_max > 0.0)
                 && (1e-150 <= params.a)
                 && (params.a <= 1e150)
                 && finite(params.k[0])
@@ -134,7 +134,7 @@ public:
                 && finite(params.k[4])
                 && finite(params.k[5])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -213,8 +213,8 @@ public:
                 && finite(b_2)
                 && finite(b_3)
                 && finite(b_4)
-                && (1e-200 <= params.h * params.h * params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h * params.h * params.h)))) {
+                && (params.h * params.h * params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h * params.h * params.h) >= 1e-200))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -263,7 +263,7 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = (static_cast<double>(left) < hold_) ? hold_ : static_cast<double>(left);
         double v{};
-        if (5.5 < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double s1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
             const double z1 = s1 + (w1_4_ * x4);
@@ -272,19 +272,24 @@ public:
             const double z4 = w4_4_ * x4;
             const double z5 = w5_6_ * u2_;
             const double z6 = (w6_5_ * u1_) + (w6_6_ * u2_);
-            const double s2 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            const double s3 = ((((s2 / (m0 - 3.0)) + z5) / (m0 - 4.0)) + z6) / (m0 - 5.0);
-            v = s3 + ((2.0 * u1_) - u2_);
+            const double m0f2 = m0 * (m0 - 1.0);
+            const double m0f3 = m0f2 * (m0 - 2.0);
+            const double m0f4 = m0f3 * (m0 - 3.0);
+            const double m0f5 = m0f4 * (m0 - 4.0);
+            const double s2 = z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3) + (z5 * m0f4);
+            const double s3 = (s2 + (z6 * m0f5)) / (m0f5 * (m0 - 5.0));
+            v = s3 + ((c_5_ * u1_) - u2_);
         } else {
             // Deadbeat.
             const double s4 = (b_1_ * x1) + (b_2_ * x2) + (b_3_ * x3);
-            v = ((s4 + (b_4_ * x4)) - (4.0 * u1_)) - (10.0 * u2_);
+            const double s5 = s4 + (b_4_ * x4) + (b_5_ * u1_);
+            v = s5 + (b_6_ * u2_);
         }
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -293,7 +298,7 @@ public:
         }
         u2_ = u1_;
         u1_ = u_now;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (static_cast<double>(left) <= hold_) {
             return {u_now, Status::Hold};
@@ -308,29 +313,37 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// 11/2, samples to go at which deadbeat takes over.
+    static constexpr double deadbeat_{5.5};
+    /// Weight of u1 in the law.
+    static constexpr double c_5_{2.0};
+    /// Weight of u1 in the law.
+    static constexpr double b_5_{-4.0};
+    /// Weight of u2 in the law.
+    static constexpr double b_6_{-10.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
     double u1_{}; // input of the last sample
     double u2_{}; // input of 2 samples ago
     double hold_{}; // samples to go at which the gains are held
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w1_3_{}; // weight of a state in the law
-    double w1_4_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double w2_3_{}; // weight of a state in the law
-    double w2_4_{}; // weight of a state in the law
-    double w3_3_{}; // weight of a state in the law
-    double w3_4_{}; // weight of a state in the law
-    double w4_4_{}; // weight of a state in the law
-    double w5_6_{}; // weight of a state in the law
-    double w6_5_{}; // weight of a state in the law
-    double w6_6_{}; // weight of a state in the law
-    double b_1_{}; // weight of a state in the law
-    double b_2_{}; // weight of a state in the law
-    double b_3_{}; // weight of a state in the law
-    double b_4_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w1_3_{}; // weight of x3 in the law
+    double w1_4_{}; // weight of x4 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double w2_3_{}; // weight of x3 in the law
+    double w2_4_{}; // weight of x4 in the law
+    double w3_3_{}; // weight of x3 in the law
+    double w3_4_{}; // weight of x4 in the law
+    double w4_4_{}; // weight of x4 in the law
+    double w5_6_{}; // weight of u2 in the law
+    double w6_5_{}; // weight of u1 in the law
+    double w6_6_{}; // weight of u2 in the law
+    double b_1_{}; // weight of x1 in the law
+    double b_2_{}; // weight of x2 in the law
+    double b_3_{}; // weight of x3 in the law
+    double b_4_{}; // weight of x4 in the law
     double u_max_{}; // bound of |u|
 };
 

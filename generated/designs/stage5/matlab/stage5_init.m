@@ -68,13 +68,13 @@ if numel(params.k) ~= 6
     error('stage5:param', 'params.k has %d numbers; legal: 6', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(5) < given.samples)
+if ~(given.samples > uint32(5))
     error('stage5:param', 'params.samples is %g; legal: >= 6', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
     error('stage5:param', 'params.h is %g; legal: from 1e-150 to 1e150', params.h);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage5:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~((1e-150 <= given.a) && (given.a <= 1e150))
@@ -98,7 +98,7 @@ end
 if ~isfinite(given.k(6))
     error('stage5:param', 'params.k(6) is %g; legal: finite', params.k(6));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage5:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
@@ -177,8 +177,8 @@ if ~(isfinite(hold) ...
     && isfinite(b_2) ...
     && isfinite(b_3) ...
     && isfinite(b_4) ...
-    && (1e-200 <= given.h * given.h * given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h * given.h * given.h)))
+    && (given.h * given.h * given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h * given.h * given.h) >= 1e-200))
     error('stage5:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

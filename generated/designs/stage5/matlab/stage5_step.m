@@ -14,6 +14,10 @@ function [u, status, self] = stage5_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+deadbeat = 5.5; % 11/2, samples to go at which deadbeat takes over
+c_5 = 2.0; % weight of u1 in the law
+b_5 = -4.0; % weight of u1 in the law
+b_6 = -10.0; % weight of u2 in the law
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -29,7 +33,7 @@ x3 = x(3);
 x4 = x(4);
 left = self.samples - elapsed;
 m0 = pick(double(left) < self.hold, self.hold, double(left));
-if 5.5 < m0
+if m0 > deadbeat
     % The exact law in samples.
     s1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
     z1 = s1 + (self.w1_4 * x4);
@@ -38,19 +42,24 @@ if 5.5 < m0
     z4 = self.w4_4 * x4;
     z5 = self.w5_6 * self.u2;
     z6 = (self.w6_5 * self.u1) + (self.w6_6 * self.u2);
-    s2 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-    s3 = ((((s2 / (m0 - 3.0)) + z5) / (m0 - 4.0)) + z6) / (m0 - 5.0);
-    v = s3 + ((2.0 * self.u1) - self.u2);
+    m0f2 = m0 * (m0 - 1.0);
+    m0f3 = m0f2 * (m0 - 2.0);
+    m0f4 = m0f3 * (m0 - 3.0);
+    m0f5 = m0f4 * (m0 - 4.0);
+    s2 = z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3) + (z5 * m0f4);
+    s3 = (s2 + (z6 * m0f5)) / (m0f5 * (m0 - 5.0));
+    v = s3 + ((c_5 * self.u1) - self.u2);
 else
     % Deadbeat.
     s4 = (self.b_1 * x1) + (self.b_2 * x2) + (self.b_3 * x3);
-    v = ((s4 + (self.b_4 * x4)) - (4.0 * self.u1)) - (10.0 * self.u2);
+    s5 = s4 + (self.b_4 * x4) + (b_5 * self.u1);
+    v = s5 + (b_6 * self.u2);
 end
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if self.u_max < v
+if v > self.u_max
     u_now = self.u_max;
 elseif v < -self.u_max
     u_now = -self.u_max;
@@ -59,7 +68,7 @@ else
 end
 self.u2 = self.u1;
 self.u1 = u_now;
-if (self.u_max < v) || (v < -self.u_max)
+if (v > self.u_max) || (v < -self.u_max)
     u = u_now;
     status = int32(2);
 elseif double(left) <= self.hold

@@ -115,6 +115,15 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 11/2, samples to go at which deadbeat takes over.
+_DEADBEAT = _R(5.5)
+# Weight of u1 in the law.
+_C_5 = _R(2.0)
+# Weight of u1 in the law.
+_B_5 = _R(-4.0)
+# Weight of u2 in the law.
+_B_6 = _R(-10.0)
+
 class Stage5:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -131,11 +140,11 @@ class Stage5:
             given_a = _R(params.a)
             given_k = _numbers(params.k, 6, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (5 < given_samples):
+            if not (given_samples > 5):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 6")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (1e-150 <= given_a <= 1e150):
                 raise ValueError(f"params.a is {params.a}; legal: from 1e-150 to 1e150")
@@ -151,7 +160,7 @@ class Stage5:
                 raise ValueError(f"params.k[4] is {params.k[4]}; legal: finite")
             if not np.isfinite(given_k[5]):
                 raise ValueError(f"params.k[5] is {params.k[5]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             hold = 0.01 / given_h
@@ -230,8 +239,8 @@ class Stage5:
                 and np.isfinite(b_2)
                 and np.isfinite(b_3)
                 and np.isfinite(b_4)
-                and (1e-200 <= given_h * given_h * given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h * given_h * given_h))
+                and (given_h * given_h * given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h * given_h * given_h) >= 1e-200)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -283,7 +292,7 @@ class Stage5:
             x4 = x[3]
             left = max(self._samples - elapsed, 0)
             m0 = max(_R(left), self._hold)
-            if 5.5 < m0:
+            if m0 > _DEADBEAT:
                 # The exact law in samples.
                 s1 = (self._w1_1 * x1) + (self._w1_2 * x2) + (self._w1_3 * x3)
                 z1 = s1 + (self._w1_4 * x4)
@@ -292,16 +301,21 @@ class Stage5:
                 z4 = self._w4_4 * x4
                 z5 = self._w5_6 * self._u2
                 z6 = (self._w6_5 * self._u1) + (self._w6_6 * self._u2)
-                s2 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4
-                s3 = ((((s2 / (m0 - 3.0)) + z5) / (m0 - 4.0)) + z6) / (m0 - 5.0)
-                v = s3 + ((2.0 * self._u1) - self._u2)
+                m0f2 = m0 * (m0 - 1.0)
+                m0f3 = m0f2 * (m0 - 2.0)
+                m0f4 = m0f3 * (m0 - 3.0)
+                m0f5 = m0f4 * (m0 - 4.0)
+                s2 = z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3) + (z5 * m0f4)
+                s3 = (s2 + (z6 * m0f5)) / (m0f5 * (m0 - 5.0))
+                v = s3 + ((_C_5 * self._u1) - self._u2)
             else:
                 # Deadbeat.
                 s4 = (self._b_1 * x1) + (self._b_2 * x2) + (self._b_3 * x3)
-                v = ((s4 + (self._b_4 * x4)) - (4.0 * self._u1)) - (10.0 * self._u2)
+                s5 = s4 + (self._b_4 * x4) + (_B_5 * self._u1)
+                v = s5 + (_B_6 * self._u2)
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -309,7 +323,7 @@ class Stage5:
                 u_now = v
             self._u2 = self._u1
             self._u1 = u_now
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
             elif _R(left) <= self._hold:
                 return Control(u_now, Status.HOLD)

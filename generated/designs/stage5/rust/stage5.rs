@@ -148,39 +148,39 @@ pub struct Stage5 {
     u2: f64,
     /// samples to go at which the gains are held.
     hold: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3: f64,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w1_4: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3: f64,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w2_4: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3: f64,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w3_4: f64,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     w4_4: f64,
-    /// weight of a state in the law.
+    /// weight of u2 in the law.
     w5_6: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w6_5: f64,
-    /// weight of a state in the law.
+    /// weight of u2 in the law.
     w6_6: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     b_3: f64,
-    /// weight of a state in the law.
+    /// weight of x4 in the law.
     b_4: f64,
     /// bound of |u|.
     u_max: f64,
@@ -195,15 +195,24 @@ pub struct Stage5 {
     clippy::nursery
 )]
 impl Stage5 {
+    /// 11/2, samples to go at which deadbeat takes over.
+    const DEADBEAT: f64 = 5.5;
+    /// Weight of u1 in the law.
+    const C_5: f64 = 2.0;
+    /// Weight of u1 in the law.
+    const B_5: f64 = -4.0;
+    /// Weight of u2 in the law.
+    const B_6: f64 = -10.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage5Params) -> Result<Self, Error> {
-        if !((5 < params.samples)
+        if !((params.samples > 5)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
-            && (0.0 < params.u_max)
+            && (params.u_max > 0.0)
             && (1e-150 <= params.a)
             && (params.a <= 1e150)
             && params.k[0].is_finite()
@@ -213,7 +222,7 @@ impl Stage5 {
             && params.k[4].is_finite()
             && params.k[5].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
@@ -293,8 +302,8 @@ impl Stage5 {
             && b_2.is_finite()
             && b_3.is_finite()
             && b_4.is_finite()
-            && (1e-200 <= params.h * params.h * params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h * params.h * params.h)))
+            && (params.h * params.h * params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h * params.h * params.h) >= 1e-200))
         {
             return Err(Error::Param);
         }
@@ -351,7 +360,7 @@ impl Stage5 {
             left as f64
         };
         let v: f64;
-        if 5.5 < m0 {
+        if m0 > Self::DEADBEAT {
             // The exact law in samples.
             let s1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
             let z1 = s1 + (self.w1_4 * x4);
@@ -360,19 +369,24 @@ impl Stage5 {
             let z4 = self.w4_4 * x4;
             let z5 = self.w5_6 * self.u2;
             let z6 = (self.w6_5 * self.u1) + (self.w6_6 * self.u2);
-            let s2 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            let s3 = ((((s2 / (m0 - 3.0)) + z5) / (m0 - 4.0)) + z6) / (m0 - 5.0);
-            v = s3 + ((2.0 * self.u1) - self.u2);
+            let m0f2 = m0 * (m0 - 1.0);
+            let m0f3 = m0f2 * (m0 - 2.0);
+            let m0f4 = m0f3 * (m0 - 3.0);
+            let m0f5 = m0f4 * (m0 - 4.0);
+            let s2 = z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3) + (z5 * m0f4);
+            let s3 = (s2 + (z6 * m0f5)) / (m0f5 * (m0 - 5.0));
+            v = s3 + ((Self::C_5 * self.u1) - self.u2);
         } else {
             // Deadbeat.
             let s4 = (self.b_1 * x1) + (self.b_2 * x2) + (self.b_3 * x3);
-            v = ((s4 + (self.b_4 * x4)) - (4.0 * self.u1)) - (10.0 * self.u2);
+            let s5 = s4 + (self.b_4 * x4) + (Self::B_5 * self.u1);
+            v = s5 + (Self::B_6 * self.u2);
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -381,7 +395,7 @@ impl Stage5 {
         }
         self.u2 = self.u1;
         self.u1 = u_now;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if (left as f64) <= self.hold {
             Status::Hold

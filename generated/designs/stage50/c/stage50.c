@@ -32,6 +32,9 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE50_SAMPLES 20U /* samples from the start to rest */
+
 /* Gains of least energy of each state, a row for the samples to go of a node */
 static const double stage50_gains[20][2] = {
     {-6519.426971737549, 3185.2084972182897},
@@ -60,7 +63,7 @@ ptc_status stage50_init(stage50 *self, const stage50_params *params)
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if (0.0 < params->u_max) {
+        if (params->u_max > 0.0) {
             const double u_max = params->u_max;
             self->start = 0U;
             self->u_max = u_max;
@@ -108,9 +111,9 @@ ptc_status stage50_step(
             const double u_r = s1 - (0.3383277777777778 * r[2]);
             const double e1 = x1 - (((-1.3333333333333333) * r[0]) - (0.3333333333333333 * r[1]));
             const double e2 = x2 - (((-1.6666666666666667) * r[0]) - (0.6666666666666666 * r[1]));
-            const uint32_t left = (elapsed < 20U) ? (20U - elapsed) : 0U;
+            const uint32_t left = (elapsed < STAGE50_SAMPLES) ? (STAGE50_SAMPLES - elapsed) : 0U;
             uint32_t to_go;
-            if (2U < left) {
+            if (left > 2U) {
                 to_go = left;
             } else {
                 to_go = 2U;
@@ -121,13 +124,13 @@ ptc_status stage50_step(
             double v;
             v = (stage50_gains[row][0] * e1) + (stage50_gains[row][1] * e2) + u_r;
             if (PTC_FINITE_F64(v)) {
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     *u = self->u_max;
                     status = PTC_SATURATED;
                 } else if (v < -self->u_max) {
                     *u = -self->u_max;
                     status = PTC_SATURATED;
-                } else if (elapsed < 20U) {
+                } else if (elapsed < STAGE50_SAMPLES) {
                     *u = v;
                     status = PTC_OK;
                 } else {

@@ -46,8 +46,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE50_8EB252BF_HPP
-#define STAGE50_8EB252BF_HPP
+#ifndef STAGE50_8C26CF8F_HPP
+#define STAGE50_8C26CF8F_HPP
 
 #include <array>
 #include <cfloat>
@@ -120,7 +120,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!(0.0 < params.u_max)) {
+        if (!(params.u_max > 0.0)) {
             return Status::Param;
         }
         const double u_max = params.u_max;
@@ -151,9 +151,9 @@ public:
         const double u_r = s1 - (0.3383277777777778 * r[2]);
         const double e1 = x1 - (((-1.3333333333333333) * r[0]) - (0.3333333333333333 * r[1]));
         const double e2 = x2 - (((-1.6666666666666667) * r[0]) - (0.6666666666666666 * r[1]));
-        const std::uint32_t left = (elapsed < 20U) ? (20U - elapsed) : 0U;
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         std::uint32_t to_go{};
-        if (2U < left) {
+        if (left > 2U) {
             to_go = left;
         } else {
             to_go = 2U;
@@ -164,11 +164,11 @@ public:
         double v{};
         v = (gains_[row][0] * e1) + (gains_[row][1] * e2) + u_r;
         if (finite(v)) {
-            if (u_max_ < v) {
+            if (v > u_max_) {
                 return {u_max_, Status::Saturated};
             } else if (v < -u_max_) {
                 return {-u_max_, Status::Saturated};
-            } else if (elapsed < 20U) {
+            } else if (elapsed < samples_) {
                 return {v, Status::Ok};
             } else {
                 return {v, Status::Hold};
@@ -184,6 +184,8 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{20U};
 
     /// Gains of least energy of each state, a row for the samples to go of a node.
     static constexpr std::array<std::array<double, 2>, 20> gains_{{

@@ -12,6 +12,7 @@ function [u, status] = stage50_step(self, k, x, r) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+samples = uint32(20); % samples from the start to rest
 % Gains of least energy of each state, a row for the samples to go of a node.
 gains = [
     -6519.426971737549, 3185.2084972182897;
@@ -57,8 +58,8 @@ s1 = (0.3333333333333333 * r(1)) - (0.9983333333333333 * r(2));
 u_r = s1 - (0.3383277777777778 * r(3));
 e1 = x1 - (((-1.3333333333333333) * r(1)) - (0.3333333333333333 * r(2)));
 e2 = x2 - (((-1.6666666666666667) * r(1)) - (0.6666666666666666 * r(2)));
-left = uint32(20) - elapsed;
-if uint32(2) < left
+left = samples - elapsed;
+if left > uint32(2)
     to_go = left;
 else
     to_go = uint32(2);
@@ -68,13 +69,13 @@ row = uint32(mod(double(to_go) - double(uint32(2)), 4294967296));
 % The law of least energy.
 v = (gains(row + 1, 1) * e1) + (gains(row + 1, 2) * e2) + u_r;
 if isfinite(v)
-    if self.u_max < v
+    if v > self.u_max
         u = self.u_max;
         status = int32(2);
     elseif v < -self.u_max
         u = -self.u_max;
         status = int32(2);
-    elseif elapsed < uint32(20)
+    elseif elapsed < samples
         u = v;
         status = int32(0);
     else

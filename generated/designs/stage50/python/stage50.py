@@ -108,6 +108,9 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples from the start to rest.
+_SAMPLES = 20
+
 # Gains of least energy of each state, a row for the samples to go of a node.
 _GAINS = np.array(
     [
@@ -144,7 +147,7 @@ class Stage50:
     def __init__(self, params: Params) -> None:
         with np.errstate(all="ignore"):
             given_u_max = _R(params.u_max)
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             u_max = given_u_max
             self._start = 0
@@ -181,8 +184,8 @@ class Stage50:
             u_r = s1 - (0.3383277777777778 * r[2])
             e1 = x1 - (((-1.3333333333333333) * r[0]) - (0.3333333333333333 * r[1]))
             e2 = x2 - (((-1.6666666666666667) * r[0]) - (0.6666666666666666 * r[1]))
-            left = max(20 - elapsed, 0)
-            if 2 < left:
+            left = max(_SAMPLES - elapsed, 0)
+            if left > 2:
                 to_go = left
             else:
                 to_go = 2
@@ -191,11 +194,11 @@ class Stage50:
             # The law of least energy.
             v = (_GAINS[row, 0] * e1) + (_GAINS[row, 1] * e2) + u_r
             if np.isfinite(v):
-                if self._u_max < v:
+                if v > self._u_max:
                     return Control(self._u_max, Status.SATURATED)
                 elif v < -self._u_max:
                     return Control(-self._u_max, Status.SATURATED)
-                elif elapsed < 20:
+                elif elapsed < _SAMPLES:
                     return Control(v, Status.OK)
                 else:
                     return Control(v, Status.HOLD)

@@ -147,6 +147,9 @@ pub struct Stage50 {
     clippy::nursery
 )]
 impl Stage50 {
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 20;
+
     /// Gains of least energy of each state, a row for the samples to go of a node.
     #[rustfmt::skip]
     const GAINS: &'static [[f64; 2]; 20] = &[
@@ -177,7 +180,7 @@ impl Stage50 {
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage50Params) -> Result<Self, Error> {
-        if !(0.0 < params.u_max) {
+        if !(params.u_max > 0.0) {
             return Err(Error::Param);
         }
         let u_max = params.u_max;
@@ -213,9 +216,9 @@ impl Stage50 {
         let u_r = s1 - (0.3383277777777778 * r[2]);
         let e1 = x1 - (((-1.3333333333333333) * r[0]) - (0.3333333333333333 * r[1]));
         let e2 = x2 - (((-1.6666666666666667) * r[0]) - (0.6666666666666666 * r[1]));
-        let left = 20_u32.saturating_sub(elapsed);
+        let left = Self::SAMPLES.saturating_sub(elapsed);
         let to_go: u32;
-        if 2 < left {
+        if left > 2 {
             to_go = left;
         } else {
             to_go = 2;
@@ -226,11 +229,11 @@ impl Stage50 {
         let v: f64;
         v = (Self::GAINS[row as usize][0] * e1) + (Self::GAINS[row as usize][1] * e2) + u_r;
         let (u, status) = if v.is_finite() {
-            if self.u_max < v {
+            if v > self.u_max {
                 (self.u_max, Status::Saturated)
             } else if v < -self.u_max {
                 (-self.u_max, Status::Saturated)
-            } else if elapsed < 20 {
+            } else if elapsed < Self::SAMPLES {
                 (v, Status::Ok)
             } else {
                 (v, Status::Hold)

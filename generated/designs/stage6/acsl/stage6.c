@@ -33,22 +33,34 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE6_PHI1_2 0.002 /* 1/500, prediction of x2 from x3 */
+#define STAGE6_GAMMA1 4e-6 /* 1/250000, prediction from u */
+#define STAGE6_GAMMA2 0.004 /* 1/250, prediction from u */
+#define STAGE6_Q1_1 (-43.265306122448976) /* -2120/49, weight in the observer's gain l1 */
+#define STAGE6_Q1_2 12.285714285714286 /* 86/7, weight in the observer's gain l1 */
+#define STAGE6_Q2_1 15489.795918367347 /* 759000/49, weight in the observer's gain l2 */
+#define STAGE6_E0_2 182.53968253968253 /* 11500/63, gain of the observer at its end */
+#define STAGE6_E1_2 500.0 /* gain of the observer at its end */
+#define STAGE6_B_1 (-62500000.0) /* weight of x1 in the law */
+#define STAGE6_B_2 (-250000.0) /* weight of x2 in the law */
+#define STAGE6_B_3 (-458.3333333333333) /* -1375/3, weight of x3 in the law */
 ptc_status stage6_init(stage6 *self, const stage6_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((5U < params->samples)
-            && (0.0 < params->u_max)
+        if ((params->samples > 5U)
+            && (params->u_max > 0.0)
             && PTC_FINITE_F64(params->k[0])
             && PTC_FINITE_F64(params->k[1])
             && PTC_FINITE_F64(params->k[2])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double s1 = ((params->k[2] / 0.7) - 4.0) + 3.0;
             const double s2 = (s1 < 6.0) ? 6.0 : s1;
-            const double deadbeat = (0.0 < params->deadbeat) ? params->deadbeat : s2;
+            const double deadbeat = (params->deadbeat > 0.0) ? params->deadbeat : s2;
             const double w1_1 = 125000000.0 * (0.5 * (-(params->k[0] / 0.343)));
             const double w1_2 = 250000.0 * ((-0.5) * (-(params->k[0] / 0.343)));
             const double w1_3 = 500.0 * (0.16666666666666666 * (-(params->k[0] / 0.343)));
@@ -115,9 +127,9 @@ ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u)
             const uint32_t elapsed = k - self->start;
 
             /* Predict. */
-            const double s1 = self->x2_hat + (0.002 * self->x3_hat);
-            const double p1 = s1 + (4e-6 * (self->u1 + 0.25));
-            const double p2 = self->x3_hat + (0.004 * (self->u1 + 0.25));
+            const double s1 = self->x2_hat + (STAGE6_PHI1_2 * self->x3_hat);
+            const double p1 = s1 + (STAGE6_GAMMA1 * (self->u1 + 0.25));
+            const double p2 = self->x3_hat + (STAGE6_GAMMA2 * (self->u1 + 0.25));
 
             /* Correct by what is measured. */
             double base;
@@ -133,17 +145,16 @@ ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u)
             const double o0 = (double)left_o;
             double l1;
             double l2;
-            if (9.0 < o0) {
-                const double r0 = 1.0 / o0;
-                const double r1 = 1.0 / (o0 - 1.0);
-                l1 = (((-43.265306122448976) * r0) + 12.285714285714286) * r1;
-                l2 = 15489.795918367347 * r0 * r1;
+            if (o0 > 9.0) {
+                const double r0 = 1.0 / (o0 * (o0 - 1.0));
+                l1 = (STAGE6_Q1_1 + (STAGE6_Q1_2 * o0)) * r0;
+                l2 = STAGE6_Q2_1 * r0;
             } else if (left_o == 9U) {
                 l1 = 1.0;
-                l2 = 182.53968253968253;
+                l2 = STAGE6_E0_2;
             } else {
                 l1 = 1.0;
-                l2 = 500.0;
+                l2 = STAGE6_E1_2;
             }
             const double x1 = y[0];
             const double x2 = base + (l1 * miss);
@@ -151,21 +162,22 @@ ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u)
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = (double)left;
             double v;
-            if (self->deadbeat < m0) {
+            if (m0 > self->deadbeat) {
                 /* The exact law in samples. */
                 const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
                 const double z2 = (self->w2_2 * x2) + (self->w2_3 * x3);
                 const double z3 = self->w3_3 * x3;
-                v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - 0.25;
+                const double m0f2 = m0 * (m0 - 1.0);
+                v = ((z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))) - 0.25;
             } else {
                 /* Deadbeat. */
-                const double s2 = (((-62500000.0) * x1) - (250000.0 * x2)) - (458.3333333333333 * x3);
+                const double s2 = (STAGE6_B_1 * x1) + (STAGE6_B_2 * x2) + (STAGE6_B_3 * x3);
                 v = s2 - 0.25;
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
-                if (self->u_max < v) {
+                if (v > self->u_max) {
                     u_now = self->u_max;
                 } else if (v < -self->u_max) {
                     u_now = -self->u_max;
@@ -177,7 +189,7 @@ ptc_status stage6_step(stage6 *self, uint32_t k, const double y[2], double *u)
                 self->x3_hat = x3;
                 self->seen = 1U;
                 *u = u_now;
-                if ((self->u_max < v) || (v < -self->u_max)) {
+                if ((v > self->u_max) || (v < -self->u_max)) {
                     status = PTC_SATURATED;
                 } else if (elapsed < self->samples) {
                     status = PTC_OK;

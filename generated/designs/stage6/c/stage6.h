@@ -43,8 +43,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_AC804930_H
-#define STAGE6_AC804930_H
+#ifndef STAGE6_65D10686_H
+#define STAGE6_65D10686_H
 
 #include <stdint.h>
 
@@ -87,12 +87,12 @@ typedef struct stage6 {
     double x2_hat; /* estimate of x2 */
     double x3_hat; /* estimate of x3 */
     double deadbeat; /* samples to go at which deadbeat takes over */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w1_3; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double w2_3; /* weight of a state in the law */
-    double w3_3; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w1_3; /* weight of x3 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double w2_3; /* weight of x3 in the law */
+    double w3_3; /* weight of x3 in the law */
     double u_max; /* bound of |u| */
 } stage6;
 

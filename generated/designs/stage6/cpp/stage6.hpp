@@ -42,8 +42,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE6_03011E94_HPP
-#define STAGE6_03011E94_HPP
+#ifndef STAGE6_9CE72CEC_HPP
+#define STAGE6_9CE72CEC_HPP
 
 #include <array>
 #include <cfloat>
@@ -119,19 +119,19 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((5U < params.samples)
-                && (0.0 < params.u_max)
+        if (!((params.samples > 5U)
+                && (params.u_max > 0.0)
                 && finite(params.k[0])
                 && finite(params.k[1])
                 && finite(params.k[2])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
         const double s1 = ((params.k[2] / 0.7) - 4.0) + 3.0;
         const double s2 = (s1 < 6.0) ? 6.0 : s1;
-        const double deadbeat = (0.0 < params.deadbeat) ? params.deadbeat : s2;
+        const double deadbeat = (params.deadbeat > 0.0) ? params.deadbeat : s2;
         const double w1_1 = 125000000.0 * (0.5 * (-(params.k[0] / 0.343)));
         const double w1_2 = 250000.0 * ((-0.5) * (-(params.k[0] / 0.343)));
         const double w1_3 = 500.0 * (0.16666666666666666 * (-(params.k[0] / 0.343)));
@@ -191,9 +191,9 @@ public:
         const std::uint32_t elapsed = k - start_;
 
         // Predict.
-        const double s1 = x2_hat_ + (0.002 * x3_hat_);
-        const double p1 = s1 + (4e-6 * (u1_ + 0.25));
-        const double p2 = x3_hat_ + (0.004 * (u1_ + 0.25));
+        const double s1 = x2_hat_ + (phi1_2_ * x3_hat_);
+        const double p1 = s1 + (gamma1_ * (u1_ + 0.25));
+        const double p2 = x3_hat_ + (gamma2_ * (u1_ + 0.25));
 
         // Correct by what is measured.
         double base{};
@@ -209,17 +209,16 @@ public:
         const double o0 = static_cast<double>(left_o);
         double l1{};
         double l2{};
-        if (9.0 < o0) {
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            l1 = (((-43.265306122448976) * r0) + 12.285714285714286) * r1;
-            l2 = 15489.795918367347 * r0 * r1;
+        if (o0 > 9.0) {
+            const double r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1 = (q1_1_ + (q1_2_ * o0)) * r0;
+            l2 = q2_1_ * r0;
         } else if (left_o == 9U) {
             l1 = 1.0;
-            l2 = 182.53968253968253;
+            l2 = e0_2_;
         } else {
             l1 = 1.0;
-            l2 = 500.0;
+            l2 = e1_2_;
         }
         const double x1 = y[0];
         const double x2 = base + (l1 * miss);
@@ -227,22 +226,23 @@ public:
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = static_cast<double>(left);
         double v{};
-        if (deadbeat_ < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
             const double z2 = (w2_2_ * x2) + (w2_3_ * x3);
             const double z3 = w3_3_ * x3;
-            v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - 0.25;
+            const double m0f2 = m0 * (m0 - 1.0);
+            v = ((z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))) - 0.25;
         } else {
             // Deadbeat.
-            const double s2 = (((-62500000.0) * x1) - (250000.0 * x2)) - (458.3333333333333 * x3);
+            const double s2 = (b_1_ * x1) + (b_2_ * x2) + (b_3_ * x3);
             v = s2 - 0.25;
         }
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -253,7 +253,7 @@ public:
         x2_hat_ = x2;
         x3_hat_ = x3;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
@@ -279,6 +279,28 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// 1/500, prediction of x2 from x3.
+    static constexpr double phi1_2_{0.002};
+    /// 1/250000, prediction from u.
+    static constexpr double gamma1_{4e-6};
+    /// 1/250, prediction from u.
+    static constexpr double gamma2_{0.004};
+    /// -2120/49, weight in the observer's gain l1.
+    static constexpr double q1_1_{-43.265306122448976};
+    /// 86/7, weight in the observer's gain l1.
+    static constexpr double q1_2_{12.285714285714286};
+    /// 759000/49, weight in the observer's gain l2.
+    static constexpr double q2_1_{15489.795918367347};
+    /// 11500/63, gain of the observer at its end.
+    static constexpr double e0_2_{182.53968253968253};
+    /// Gain of the observer at its end.
+    static constexpr double e1_2_{500.0};
+    /// Weight of x1 in the law.
+    static constexpr double b_1_{-62500000.0};
+    /// Weight of x2 in the law.
+    static constexpr double b_2_{-250000.0};
+    /// -1375/3, weight of x3 in the law.
+    static constexpr double b_3_{-458.3333333333333};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -287,12 +309,12 @@ private:
     double x2_hat_{}; // estimate of x2
     double x3_hat_{}; // estimate of x3
     double deadbeat_{}; // samples to go at which deadbeat takes over
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w1_3_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double w2_3_{}; // weight of a state in the law
-    double w3_3_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w1_3_{}; // weight of x3 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double w2_3_{}; // weight of x3 in the law
+    double w3_3_{}; // weight of x3 in the law
     double u_max_{}; // bound of |u|
 };
 

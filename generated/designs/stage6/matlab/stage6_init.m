@@ -64,10 +64,10 @@ if numel(params.k) ~= 3
     error('stage6:param', 'params.k has %d numbers; legal: 3', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(5) < given.samples)
+if ~(given.samples > uint32(5))
     error('stage6:param', 'params.samples is %g; legal: >= 6', params.samples);
 end
-if ~(0.0 < given.u_max)
+if ~(given.u_max > 0.0)
     error('stage6:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~isfinite(given.k(1))
@@ -79,13 +79,13 @@ end
 if ~isfinite(given.k(3))
     error('stage6:param', 'params.k(3) is %g; legal: finite', params.k(3));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage6:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
 s1 = ((given.k(3) / 0.7) - 4.0) + 3.0;
 s2 = pick(s1 < 6.0, 6.0, s1);
-deadbeat = pick(0.0 < given.deadbeat, given.deadbeat, s2);
+deadbeat = pick(given.deadbeat > 0.0, given.deadbeat, s2);
 w1_1 = 125000000.0 * (0.5 * (-(given.k(1) / 0.343)));
 w1_2 = 250000.0 * ((-0.5) * (-(given.k(1) / 0.343)));
 w1_3 = 500.0 * (0.16666666666666666 * (-(given.k(1) / 0.343)));

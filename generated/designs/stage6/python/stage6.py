@@ -111,6 +111,29 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# 1/500, prediction of x2 from x3.
+_PHI1_2 = _R(0.002)
+# 1/250000, prediction from u.
+_GAMMA1 = _R(4e-6)
+# 1/250, prediction from u.
+_GAMMA2 = _R(0.004)
+# -2120/49, weight in the observer's gain l1.
+_Q1_1 = _R(-43.265306122448976)
+# 86/7, weight in the observer's gain l1.
+_Q1_2 = _R(12.285714285714286)
+# 759000/49, weight in the observer's gain l2.
+_Q2_1 = _R(15489.795918367347)
+# 11500/63, gain of the observer at its end.
+_E0_2 = _R(182.53968253968253)
+# Gain of the observer at its end.
+_E1_2 = _R(500.0)
+# Weight of x1 in the law.
+_B_1 = _R(-62500000.0)
+# Weight of x2 in the law.
+_B_2 = _R(-250000.0)
+# -1375/3, weight of x3 in the law.
+_B_3 = _R(-458.3333333333333)
+
 class Stage6:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -125,9 +148,9 @@ class Stage6:
             given_u_max = _R(params.u_max)
             given_k = _numbers(params.k, 3, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (5 < given_samples):
+            if not (given_samples > 5):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 6")
-            if not (0.0 < given_u_max):
+            if not (given_u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not np.isfinite(given_k[0]):
                 raise ValueError(f"params.k[0] is {params.k[0]}; legal: finite")
@@ -135,12 +158,12 @@ class Stage6:
                 raise ValueError(f"params.k[1] is {params.k[1]}; legal: finite")
             if not np.isfinite(given_k[2]):
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             s1 = ((given_k[2] / 0.7) - 4.0) + 3.0
             s2 = max(s1, _R(6.0))
-            deadbeat = given_deadbeat if 0.0 < given_deadbeat else s2
+            deadbeat = given_deadbeat if given_deadbeat > 0.0 else s2
             w1_1 = 125000000.0 * (0.5 * (-(given_k[0] / 0.343)))
             w1_2 = 250000.0 * ((-0.5) * (-(given_k[0] / 0.343)))
             w1_3 = 500.0 * (0.16666666666666666 * (-(given_k[0] / 0.343)))
@@ -203,9 +226,9 @@ class Stage6:
             elapsed = (k - self._start) & _WRAP
 
             # Predict.
-            s1 = self._x2_hat + (0.002 * self._x3_hat)
-            p1 = s1 + (4e-6 * (self._u1 + 0.25))
-            p2 = self._x3_hat + (0.004 * (self._u1 + 0.25))
+            s1 = self._x2_hat + (_PHI1_2 * self._x3_hat)
+            p1 = s1 + (_GAMMA1 * (self._u1 + 0.25))
+            p2 = self._x3_hat + (_GAMMA2 * (self._u1 + 0.25))
 
             # Correct by what is measured.
             if self._seen == 0:
@@ -216,35 +239,35 @@ class Stage6:
                 miss = y[1] - p1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = _R(left_o)
-            if 9.0 < o0:
-                r0 = 1.0 / o0
-                r1 = 1.0 / (o0 - 1.0)
-                l1 = (((-43.265306122448976) * r0) + 12.285714285714286) * r1
-                l2 = 15489.795918367347 * r0 * r1
+            if o0 > 9.0:
+                r0 = 1.0 / (o0 * (o0 - 1.0))
+                l1 = (_Q1_1 + (_Q1_2 * o0)) * r0
+                l2 = _Q2_1 * r0
             elif left_o == 9:
                 l1 = _R(1.0)
-                l2 = _R(182.53968253968253)
+                l2 = _E0_2
             else:
                 l1 = _R(1.0)
-                l2 = _R(500.0)
+                l2 = _E1_2
             x1 = y[0]
             x2 = base + (l1 * miss)
             x3 = p2 + (l2 * miss)
             left = max(self._samples - elapsed, 0)
             m0 = _R(left)
-            if self._deadbeat < m0:
+            if m0 > self._deadbeat:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2) + (self._w1_3 * x3)
                 z2 = (self._w2_2 * x2) + (self._w2_3 * x3)
                 z3 = self._w3_3 * x3
-                v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - 0.25
+                m0f2 = m0 * (m0 - 1.0)
+                v = ((z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))) - 0.25
             else:
                 # Deadbeat.
-                s2 = (((-62500000.0) * x1) - (250000.0 * x2)) - (458.3333333333333 * x3)
+                s2 = (_B_1 * x1) + (_B_2 * x2) + (_B_3 * x3)
                 v = s2 - 0.25
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -254,7 +277,7 @@ class Stage6:
             self._x2_hat = x2
             self._x3_hat = x3
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
             elif elapsed < self._samples:
                 return Control(u_now, Status.OK)

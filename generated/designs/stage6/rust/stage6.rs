@@ -148,17 +148,17 @@ pub struct Stage6 {
     x3_hat: f64,
     /// samples to go at which deadbeat takes over.
     deadbeat: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3: f64,
     /// bound of |u|.
     u_max: f64,
@@ -173,25 +173,48 @@ pub struct Stage6 {
     clippy::nursery
 )]
 impl Stage6 {
+    /// 1/500, prediction of x2 from x3.
+    const PHI1_2: f64 = 0.002;
+    /// 1/250000, prediction from u.
+    const GAMMA1: f64 = 4e-6;
+    /// 1/250, prediction from u.
+    const GAMMA2: f64 = 0.004;
+    /// -2120/49, weight in the observer's gain l1.
+    const Q1_1: f64 = -43.265306122448976;
+    /// 86/7, weight in the observer's gain l1.
+    const Q1_2: f64 = 12.285714285714286;
+    /// 759000/49, weight in the observer's gain l2.
+    const Q2_1: f64 = 15489.795918367347;
+    /// 11500/63, gain of the observer at its end.
+    const E0_2: f64 = 182.53968253968253;
+    /// Gain of the observer at its end.
+    const E1_2: f64 = 500.0;
+    /// Weight of x1 in the law.
+    const B_1: f64 = -62500000.0;
+    /// Weight of x2 in the law.
+    const B_2: f64 = -250000.0;
+    /// -1375/3, weight of x3 in the law.
+    const B_3: f64 = -458.3333333333333;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage6Params) -> Result<Self, Error> {
-        if !((5 < params.samples)
-            && (0.0 < params.u_max)
+        if !((params.samples > 5)
+            && (params.u_max > 0.0)
             && params.k[0].is_finite()
             && params.k[1].is_finite()
             && params.k[2].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
         let samples = params.samples;
         let s1 = ((params.k[2] / 0.7) - 4.0) + 3.0;
         let s2 = if s1 < 6.0 { 6.0 } else { s1 };
-        let deadbeat = if 0.0 < params.deadbeat {
+        let deadbeat = if params.deadbeat > 0.0 {
             params.deadbeat
         } else {
             s2
@@ -259,9 +282,9 @@ impl Stage6 {
         let elapsed = k.wrapping_sub(self.start);
 
         // Predict.
-        let s1 = self.x2_hat + (0.002 * self.x3_hat);
-        let p1 = s1 + (4e-6 * (self.u1 + 0.25));
-        let p2 = self.x3_hat + (0.004 * (self.u1 + 0.25));
+        let s1 = self.x2_hat + (Self::PHI1_2 * self.x3_hat);
+        let p1 = s1 + (Self::GAMMA1 * (self.u1 + 0.25));
+        let p2 = self.x3_hat + (Self::GAMMA2 * (self.u1 + 0.25));
 
         // Correct by what is measured.
         let base: f64;
@@ -277,17 +300,16 @@ impl Stage6 {
         let o0 = left_o as f64;
         let l1: f64;
         let l2: f64;
-        if 9.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1 = (((-43.265306122448976) * r0) + 12.285714285714286) * r1;
-            l2 = 15489.795918367347 * r0 * r1;
+        if o0 > 9.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0)) * r0;
+            l2 = Self::Q2_1 * r0;
         } else if left_o == 9 {
             l1 = 1.0;
-            l2 = 182.53968253968253;
+            l2 = Self::E0_2;
         } else {
             l1 = 1.0;
-            l2 = 500.0;
+            l2 = Self::E1_2;
         }
         let x1 = y[0];
         let x2 = base + (l1 * miss);
@@ -295,22 +317,23 @@ impl Stage6 {
         let left = self.samples.saturating_sub(elapsed);
         let m0 = left as f64;
         let v: f64;
-        if self.deadbeat < m0 {
+        if m0 > self.deadbeat {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
             let z2 = (self.w2_2 * x2) + (self.w2_3 * x3);
             let z3 = self.w3_3 * x3;
-            v = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) - 0.25;
+            let m0f2 = m0 * (m0 - 1.0);
+            v = ((z1 + (z2 * m0) + (z3 * m0f2)) / (m0f2 * (m0 - 2.0))) - 0.25;
         } else {
             // Deadbeat.
-            let s2 = (((-62500000.0) * x1) - (250000.0 * x2)) - (458.3333333333333 * x3);
+            let s2 = (Self::B_1 * x1) + (Self::B_2 * x2) + (Self::B_3 * x3);
             v = s2 - 0.25;
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -321,7 +344,7 @@ impl Stage6 {
         self.x2_hat = x2;
         self.x3_hat = x3;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if elapsed < self.samples {
             Status::Ok

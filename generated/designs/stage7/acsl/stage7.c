@@ -32,15 +32,18 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE7_Q1_1 (-20.0f) /* weight in the observer's gain l1 */
+#define STAGE7_Q1_2 8.0f /* weight in the observer's gain l1 */
 ptc_status stage7_init(stage7 *self, const stage7_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((3U < params->samples)
+        if ((params->samples > 3U)
             && (1e-18f <= params->h)
             && (params->h <= 1e18f)
-            && (0.0f < params->u_max)) {
+            && (params->u_max > 0.0f)) {
             const uint32_t samples = params->samples;
             const float phi1_2 = params->h;
             const float q2_1 = 12.0f * (1.0f / params->h);
@@ -52,8 +55,8 @@ ptc_status stage7_init(stage7 *self, const stage7_params *params)
                 && PTC_FINITE_F32(e1_2)
                 && PTC_FINITE_F32(e0_2)
                 && PTC_FINITE_F32(w1_1)
-                && (1e-30f <= params->h)
-                && (1e-30f <= 1.0f / params->h)) {
+                && (params->h >= 1e-30f)
+                && (1.0f / params->h >= 1e-30f)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0f;
@@ -114,11 +117,10 @@ ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u)
     const float o0 = (float)left_o;
     float l1;
     float l2;
-    if (6.0f < o0) {
-        const float r0 = 1.0f / o0;
-        const float r1 = 1.0f / (o0 - 1.0f);
-        l1 = (((-20.0f) * r0) + 8.0f) * r1;
-        l2 = self->q2_1 * r0 * r1;
+    if (o0 > 6.0f) {
+        const float r0 = 1.0f / (o0 * (o0 - 1.0f));
+        l1 = (STAGE7_Q1_1 + (STAGE7_Q1_2 * o0)) * r0;
+        l2 = self->q2_1 * r0;
     } else if (left_o == 6U) {
         l1 = 1.0f;
         l2 = self->e0_2;
@@ -138,7 +140,7 @@ ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u)
     status = PTC_E_RANGE;
     if (PTC_FINITE_F32(v)) {
         float u_now;
-        if (self->u_max < v) {
+        if (v > self->u_max) {
             u_now = self->u_max;
         } else if (v < -self->u_max) {
             u_now = -self->u_max;
@@ -150,7 +152,7 @@ ptc_status stage7_step(stage7 *self, uint32_t k, const float y[1], float *u)
         self->d_hat = d;
         self->seen = 1U;
         *u = u_now;
-        if ((self->u_max < v) || (v < -self->u_max)) {
+        if ((v > self->u_max) || (v < -self->u_max)) {
             status = PTC_SATURATED;
         } else if (elapsed < self->samples) {
             status = PTC_OK;

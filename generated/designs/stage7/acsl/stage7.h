@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_6EAEF5D2_H
-#define STAGE7_6EAEF5D2_H
+#ifndef STAGE7_4A825C98_H
+#define STAGE7_4A825C98_H
 
 #include <stdint.h>
 
@@ -81,11 +81,11 @@ typedef struct stage7 {
     uint32_t seen; /* 1 once y has been measured */
     float x1_hat; /* estimate of x1 */
     float d_hat; /* estimate of d */
-    float phi1_2; /* prediction from a state */
-    float q2_1; /* weight in the observer's gains */
+    float phi1_2; /* prediction of x1 from d */
+    float q2_1; /* weight in the observer's gain l2 */
     float e1_2; /* gain of the observer at its end */
     float e0_2; /* gain of the observer at its end */
-    float w1_1; /* weight of a state in the law */
+    float w1_1; /* weight of x1 in the law */
     float u_max; /* bound of |u| */
 } stage7;
 

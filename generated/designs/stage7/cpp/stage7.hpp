@@ -39,8 +39,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE7_031FF8FE_HPP
-#define STAGE7_031FF8FE_HPP
+#ifndef STAGE7_44D4E72A_HPP
+#define STAGE7_44D4E72A_HPP
 
 #include <array>
 #include <cfloat>
@@ -115,10 +115,10 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((3U < params.samples)
+        if (!((params.samples > 3U)
                 && (1e-18f <= params.h)
                 && (params.h <= 1e18f)
-                && (0.0f < params.u_max))) {
+                && (params.u_max > 0.0f))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -132,8 +132,8 @@ public:
                 && finite(e1_2)
                 && finite(e0_2)
                 && finite(w1_1)
-                && (1e-30f <= params.h)
-                && (1e-30f <= 1.0f / params.h))) {
+                && (params.h >= 1e-30f)
+                && (1.0f / params.h >= 1e-30f))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -190,11 +190,10 @@ public:
         const float o0 = static_cast<float>(left_o);
         float l1{};
         float l2{};
-        if (6.0f < o0) {
-            const float r0 = 1.0f / o0;
-            const float r1 = 1.0f / (o0 - 1.0f);
-            l1 = (((-20.0f) * r0) + 8.0f) * r1;
-            l2 = q2_1_ * r0 * r1;
+        if (o0 > 6.0f) {
+            const float r0 = 1.0f / (o0 * (o0 - 1.0f));
+            l1 = (q1_1_ + (q1_2_ * o0)) * r0;
+            l2 = q2_1_ * r0;
         } else if (left_o == 6U) {
             l1 = 1.0f;
             l2 = e0_2_;
@@ -215,7 +214,7 @@ public:
             return {0.0f, Status::Range};
         }
         float u_now{};
-        if (u_max_ < v) {
+        if (v > u_max_) {
             u_now = u_max_;
         } else if (v < -u_max_) {
             u_now = -u_max_;
@@ -226,7 +225,7 @@ public:
         x1_hat_ = x1;
         d_hat_ = d;
         seen_ = 1U;
-        if ((u_max_ < v) || (v < -u_max_)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (elapsed < samples_) {
             return {u_now, Status::Ok};
@@ -258,6 +257,10 @@ private:
     {
         return (v > 0.0f) ? v : (0.0f - v);
     }
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_1_{-20.0f};
+    /// Weight in the observer's gain l1.
+    static constexpr float q1_2_{8.0f};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -265,11 +268,11 @@ private:
     std::uint32_t seen_{}; // 1 once y has been measured
     float x1_hat_{}; // estimate of x1
     float d_hat_{}; // estimate of d
-    float phi1_2_{}; // prediction from a state
-    float q2_1_{}; // weight in the observer's gains
+    float phi1_2_{}; // prediction of x1 from d
+    float q2_1_{}; // weight in the observer's gain l2
     float e1_2_{}; // gain of the observer at its end
     float e0_2_{}; // gain of the observer at its end
-    float w1_1_{}; // weight of a state in the law
+    float w1_1_{}; // weight of x1 in the law
     float u_max_{}; // bound of |u|
 };
 

@@ -56,13 +56,13 @@ if given.samples ~= params.samples
 end
 given.h = single(params.h);
 given.u_max = single(params.u_max);
-if ~(uint32(3) < given.samples)
+if ~(given.samples > uint32(3))
     error('stage7:param', 'params.samples is %g; legal: >= 4', params.samples);
 end
 if ~((single(1.000000045813705e-18) <= given.h) && (given.h <= single(9.999999843067494e17)))
     error('stage7:param', 'params.h is %g; legal: from 1.000000045813705e-18 to 9.999999843067494e17', params.h);
 end
-if ~(single(0.0) < given.u_max)
+if ~(given.u_max > single(0.0))
     error('stage7:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 samples = given.samples;
@@ -75,10 +75,10 @@ u_max = given.u_max;
 if ~(isfinite(q2_1) && isfinite(e1_2) && isfinite(e0_2) && isfinite(w1_1))
     error('stage7:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
-if ~(single(1.0000000031710769e-30) <= given.h)
+if ~(given.h >= single(1.0000000031710769e-30))
     error('stage7:param', 'params.h is %g; legal: >= 1.0000000031710769e-30', params.h);
 end
-if ~(single(1.0000000031710769e-30) <= single(1.0) / given.h)
+if ~(single(1.0) / given.h >= single(1.0000000031710769e-30))
     error('stage7:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -14,6 +14,8 @@ function [u, status, self] = stage7_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+q1_1 = -single(20.0); % weight in the observer's gain l1
+q1_2 = single(8.0); % weight in the observer's gain l1
 u = single(0.0);
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -39,11 +41,10 @@ else
 end
 left_o = bitshift(self.samples, -1) - elapsed;
 o0 = single(left_o);
-if single(6.0) < o0
-    r0 = single(1.0) / o0;
-    r1 = single(1.0) / (o0 - single(1.0));
-    l1 = (((-single(20.0)) * r0) + single(8.0)) * r1;
-    l2 = self.q2_1 * r0 * r1;
+if o0 > single(6.0)
+    r0 = single(1.0) / (o0 * (o0 - single(1.0)));
+    l1 = (q1_1 + (q1_2 * o0)) * r0;
+    l2 = self.q2_1 * r0;
 elseif left_o == uint32(6)
     l1 = single(1.0);
     l2 = self.e0_2;
@@ -63,7 +64,7 @@ if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if self.u_max < v
+if v > self.u_max
     u_now = self.u_max;
 elseif v < -self.u_max
     u_now = -self.u_max;
@@ -74,7 +75,7 @@ self.u1 = u_now;
 self.x1_hat = x1;
 self.d_hat = d;
 self.seen = uint32(1);
-if (self.u_max < v) || (v < -self.u_max)
+if (v > self.u_max) || (v < -self.u_max)
     u = u_now;
     status = int32(2);
 elseif elapsed < self.samples

@@ -105,6 +105,11 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight in the observer's gain l1.
+_Q1_1 = _R(-_R(20.0))
+# Weight in the observer's gain l1.
+_Q1_2 = _R(_R(8.0))
+
 class Stage7:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -118,11 +123,11 @@ class Stage7:
                 raise ValueError(f"params.samples is {params.samples}; legal: 0..2^32 - 1")
             given_h = _R(params.h)
             given_u_max = _R(params.u_max)
-            if not (3 < given_samples):
+            if not (given_samples > 3):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 4")
             if not (_R(1.000000045813705e-18) <= given_h <= _R(9.999999843067494e17)):
                 raise ValueError(f"params.h is {params.h}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
-            if not (_R(0.0) < given_u_max):
+            if not (given_u_max > _R(0.0)):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             samples = given_samples
             phi1_2 = given_h
@@ -138,9 +143,9 @@ class Stage7:
                 and np.isfinite(w1_1)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
-            if not (_R(1.0000000031710769e-30) <= given_h):
+            if not (given_h >= _R(1.0000000031710769e-30)):
                 raise ValueError(f"params.h is {params.h}; legal: >= 1.0000000031710769e-30")
-            if not (_R(1.0000000031710769e-30) <= _R(1.0) / given_h):
+            if not (_R(1.0) / given_h >= _R(1.0000000031710769e-30)):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
             self._samples = samples
@@ -194,11 +199,10 @@ class Stage7:
                 miss = y[0] - p1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = _R(left_o)
-            if _R(6.0) < o0:
-                r0 = _R(1.0) / o0
-                r1 = _R(1.0) / (o0 - _R(1.0))
-                l1 = (((-_R(20.0)) * r0) + _R(8.0)) * r1
-                l2 = self._q2_1 * r0 * r1
+            if o0 > _R(6.0):
+                r0 = _R(1.0) / (o0 * (o0 - _R(1.0)))
+                l1 = (_Q1_1 + (_Q1_2 * o0)) * r0
+                l2 = self._q2_1 * r0
             elif left_o == 6:
                 l1 = _R(1.0)
                 l2 = self._e0_2
@@ -215,7 +219,7 @@ class Stage7:
             v = (z1 / (m0 + _R(2.0))) - d
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if self._u_max < v:
+            if v > self._u_max:
                 u_now = self._u_max
             elif v < -self._u_max:
                 u_now = -self._u_max
@@ -225,7 +229,7 @@ class Stage7:
             self._x1_hat = x1
             self._d_hat = d
             self._seen = 1
-            if (self._u_max < v) or (v < -self._u_max):
+            if (v > self._u_max) or (v < -self._u_max):
                 return Control(u_now, Status.SATURATED)
             elif elapsed < self._samples:
                 return Control(u_now, Status.OK)

@@ -141,15 +141,15 @@ pub struct Stage7 {
     x1_hat: f32,
     /// estimate of d.
     d_hat: f32,
-    /// prediction from a state.
+    /// prediction of x1 from d.
     phi1_2: f32,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f32,
     /// gain of the observer at its end.
     e1_2: f32,
     /// gain of the observer at its end.
     e0_2: f32,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f32,
     /// bound of |u|.
     u_max: f32,
@@ -164,15 +164,20 @@ pub struct Stage7 {
     clippy::nursery
 )]
 impl Stage7 {
+    /// Weight in the observer's gain l1.
+    const Q1_1: f32 = -20.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f32 = 8.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage7Params) -> Result<Self, Error> {
-        if !((3 < params.samples)
+        if !((params.samples > 3)
             && (1e-18 <= params.h)
             && (params.h <= 1e18)
-            && (0.0 < params.u_max))
+            && (params.u_max > 0.0))
         {
             return Err(Error::Param);
         }
@@ -187,8 +192,8 @@ impl Stage7 {
             && e1_2.is_finite()
             && e0_2.is_finite()
             && w1_1.is_finite()
-            && (1e-30 <= params.h)
-            && (1e-30 <= 1.0 / params.h))
+            && (params.h >= 1e-30)
+            && (1.0 / params.h >= 1e-30))
         {
             return Err(Error::Param);
         }
@@ -249,11 +254,10 @@ impl Stage7 {
         let o0 = left_o as f32;
         let l1: f32;
         let l2: f32;
-        if 6.0 < o0 {
-            let r0 = 1.0 / o0;
-            let r1 = 1.0 / (o0 - 1.0);
-            l1 = (((-20.0) * r0) + 8.0) * r1;
-            l2 = self.q2_1 * r0 * r1;
+        if o0 > 6.0 {
+            let r0 = 1.0 / (o0 * (o0 - 1.0));
+            l1 = (Self::Q1_1 + (Self::Q1_2 * o0)) * r0;
+            l2 = self.q2_1 * r0;
         } else if left_o == 6 {
             l1 = 1.0;
             l2 = self.e0_2;
@@ -278,7 +282,7 @@ impl Stage7 {
             return Err(Error::Range);
         }
         let u_now: f32;
-        if self.u_max < v {
+        if v > self.u_max {
             u_now = self.u_max;
         } else if v < -self.u_max {
             u_now = -self.u_max;
@@ -289,7 +293,7 @@ impl Stage7 {
         self.x1_hat = x1;
         self.d_hat = d;
         self.seen = 1;
-        let status = if (self.u_max < v) || (v < -self.u_max) {
+        let status = if (v > self.u_max) || (v < -self.u_max) {
             Status::Saturated
         } else if elapsed < self.samples {
             Status::Ok

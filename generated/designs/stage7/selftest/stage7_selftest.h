@@ -16,9 +16,9 @@
  *     it.
  *   PTC_FINITE_F32(w1_1): held with each of 3024 sets of parameters that passed the tests before
  *     it.
- *   1e-30f <= params->h: held with each of 3024 sets of parameters that passed the tests before
+ *   params->h >= 1e-30f: held with each of 3024 sets of parameters that passed the tests before
  *     it.
- *   1e-30f <= 1.0f / params->h: held with each of 3024 sets of parameters that passed the tests
+ *   1.0f / params->h >= 1e-30f: held with each of 3024 sets of parameters that passed the tests
  *     before it.
  */
 #ifndef STAGE7_SELFTEST_H

@@ -32,6 +32,13 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE8_SAMPLES 30U /* samples from the start to rest */
+#define STAGE8_HOLD 5.0 /* samples to go at which the gains are held */
+#define STAGE8_W1_1 (-20000000.0) /* weight of x1 in the law */
+#define STAGE8_W1_2 10000.0 /* weight of x2 in the law */
+#define STAGE8_W2_2 (-8000.0) /* weight of x2 in the law */
+#define STAGE8_U_MAX 3.0 /* bound of |u| */
 ptc_status stage8_init(stage8 *self, const stage8_params *params)
 {
     ptc_status status = PTC_E_PARAM;
@@ -67,23 +74,24 @@ ptc_status stage8_step(const stage8 *self, uint32_t k, const double x[2], double
             const uint32_t elapsed = k - self->start;
             const double x1 = x[0];
             const double x2 = x[1];
-            const uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-            const double m0 = ((double)left < 5.0) ? 5.0 : (double)left;
+            const uint32_t left = (elapsed < STAGE8_SAMPLES) ? (STAGE8_SAMPLES - elapsed) : 0U;
+            const double m0 = ((double)left < STAGE8_HOLD) ? STAGE8_HOLD : (double)left;
             double v;
 
             /* The exact law in samples. */
-            const double z1 = ((-20000000.0) * x1) + (10000.0 * x2);
-            const double z2 = (-8000.0) * x2;
-            v = ((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0);
+            const double z1 = (STAGE8_W1_1 * x1) + (STAGE8_W1_2 * x2);
+            const double z2 = STAGE8_W2_2 * x2;
+            const double m0f1 = m0 + 3.0;
+            v = (z1 + (z2 * m0f1)) / (m0f1 * (m0 + 2.0));
             if (PTC_FINITE_F64(v)) {
-                if (elapsed < 30U) {
-                    if (3.0 < v) {
-                        *u = 3.0;
+                if (elapsed < STAGE8_SAMPLES) {
+                    if (v > STAGE8_U_MAX) {
+                        *u = STAGE8_U_MAX;
                         status = PTC_SATURATED;
-                    } else if (v < -3.0) {
-                        *u = -3.0;
+                    } else if (v < -STAGE8_U_MAX) {
+                        *u = -STAGE8_U_MAX;
                         status = PTC_SATURATED;
-                    } else if ((double)left <= 5.0) {
+                    } else if ((double)left <= STAGE8_HOLD) {
                         *u = v;
                         status = PTC_HOLD;
                     } else {

@@ -38,8 +38,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE8_5B9E1014_HPP
-#define STAGE8_5B9E1014_HPP
+#ifndef STAGE8_7A042652_HPP
+#define STAGE8_7A042652_HPP
 
 #include <array>
 #include <cfloat>
@@ -131,21 +131,22 @@ public:
         const std::uint32_t elapsed = k - start_;
         const double x1 = x[0];
         const double x2 = x[1];
-        const std::uint32_t left = (elapsed < 30U) ? (30U - elapsed) : 0U;
-        const double m0 = (static_cast<double>(left) < 5.0) ? 5.0 : static_cast<double>(left);
+        const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
+        const double m0 = (static_cast<double>(left) < hold_) ? hold_ : static_cast<double>(left);
         double v{};
 
         // The exact law in samples.
-        const double z1 = ((-20000000.0) * x1) + (10000.0 * x2);
-        const double z2 = (-8000.0) * x2;
-        v = ((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0);
+        const double z1 = (w1_1_ * x1) + (w1_2_ * x2);
+        const double z2 = w2_2_ * x2;
+        const double m0f1 = m0 + 3.0;
+        v = (z1 + (z2 * m0f1)) / (m0f1 * (m0 + 2.0));
         if (finite(v)) {
-            if (elapsed < 30U) {
-                if (3.0 < v) {
-                    return {3.0, Status::Saturated};
-                } else if (v < -3.0) {
-                    return {-3.0, Status::Saturated};
-                } else if (static_cast<double>(left) <= 5.0) {
+            if (elapsed < samples_) {
+                if (v > u_max_) {
+                    return {u_max_, Status::Saturated};
+                } else if (v < -u_max_) {
+                    return {-u_max_, Status::Saturated};
+                } else if (static_cast<double>(left) <= hold_) {
                     return {v, Status::Hold};
                 } else {
                     return {v, Status::Ok};
@@ -164,6 +165,18 @@ private:
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
     }
+    /// Samples from the start to rest.
+    static constexpr std::uint32_t samples_{30U};
+    /// Samples to go at which the gains are held.
+    static constexpr double hold_{5.0};
+    /// Weight of x1 in the law.
+    static constexpr double w1_1_{-20000000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w1_2_{10000.0};
+    /// Weight of x2 in the law.
+    static constexpr double w2_2_{-8000.0};
+    /// Bound of |u|.
+    static constexpr double u_max_{3.0};
 
     std::uint32_t start_{}; // tick at which it was armed
 };

@@ -12,6 +12,12 @@ function [u, status] = stage8_step(self, k, x) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+samples = uint32(30); % samples from the start to rest
+hold = 5.0; % samples to go at which the gains are held
+w1_1 = -20000000.0; % weight of x1 in the law
+w1_2 = 10000.0; % weight of x2 in the law
+w2_2 = -8000.0; % weight of x2 in the law
+u_max = 3.0; % bound of |u|
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -27,22 +33,23 @@ end
 elapsed = uint32(mod(double(k) - double(self.start), 4294967296));
 x1 = x(1);
 x2 = x(2);
-left = uint32(30) - elapsed;
-m0 = pick(double(left) < 5.0, 5.0, double(left));
+left = samples - elapsed;
+m0 = pick(double(left) < hold, hold, double(left));
 
 % The exact law in samples.
-z1 = ((-20000000.0) * x1) + (10000.0 * x2);
-z2 = (-8000.0) * x2;
-v = ((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0);
+z1 = (w1_1 * x1) + (w1_2 * x2);
+z2 = w2_2 * x2;
+m0f1 = m0 + 3.0;
+v = (z1 + (z2 * m0f1)) / (m0f1 * (m0 + 2.0));
 if isfinite(v)
-    if elapsed < uint32(30)
-        if 3.0 < v
-            u = 3.0;
+    if elapsed < samples
+        if v > u_max
+            u = u_max;
             status = int32(2);
-        elseif v < -3.0
-            u = -3.0;
+        elseif v < -u_max
+            u = -u_max;
             status = int32(2);
-        elseif double(left) <= 5.0
+        elseif double(left) <= hold
             u = v;
             status = int32(1);
         else

@@ -97,6 +97,19 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Samples from the start to rest.
+_SAMPLES = 30
+# Samples to go at which the gains are held.
+_HOLD = _R(5.0)
+# Weight of x1 in the law.
+_W1_1 = _R(-20000000.0)
+# Weight of x2 in the law.
+_W1_2 = _R(10000.0)
+# Weight of x2 in the law.
+_W2_2 = _R(-8000.0)
+# Bound of |u|.
+_U_MAX = _R(3.0)
+
 class Stage8:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -125,20 +138,21 @@ class Stage8:
             elapsed = (k - self._start) & _WRAP
             x1 = x[0]
             x2 = x[1]
-            left = max(30 - elapsed, 0)
-            m0 = max(_R(left), _R(5.0))
+            left = max(_SAMPLES - elapsed, 0)
+            m0 = max(_R(left), _HOLD)
 
             # The exact law in samples.
-            z1 = ((-20000000.0) * x1) + (10000.0 * x2)
-            z2 = (-8000.0) * x2
-            v = ((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0)
+            z1 = (_W1_1 * x1) + (_W1_2 * x2)
+            z2 = _W2_2 * x2
+            m0f1 = m0 + 3.0
+            v = (z1 + (z2 * m0f1)) / (m0f1 * (m0 + 2.0))
             if np.isfinite(v):
-                if elapsed < 30:
-                    if 3.0 < v:
-                        return Control(_R(3.0), Status.SATURATED)
-                    elif v < -3.0:
-                        return Control(_R(-3.0), Status.SATURATED)
-                    elif _R(left) <= 5.0:
+                if elapsed < _SAMPLES:
+                    if v > _U_MAX:
+                        return Control(_U_MAX, Status.SATURATED)
+                    elif v < -_U_MAX:
+                        return Control(-_U_MAX, Status.SATURATED)
+                    elif _R(left) <= _HOLD:
                         return Control(v, Status.HOLD)
                     else:
                         return Control(v, Status.OK)

@@ -134,6 +134,19 @@ pub struct Stage8 {
     clippy::nursery
 )]
 impl Stage8 {
+    /// Samples from the start to rest.
+    const SAMPLES: u32 = 30;
+    /// Samples to go at which the gains are held.
+    const HOLD: f64 = 5.0;
+    /// Weight of x1 in the law.
+    const W1_1: f64 = -20000000.0;
+    /// Weight of x2 in the law.
+    const W1_2: f64 = 10000.0;
+    /// Weight of x2 in the law.
+    const W2_2: f64 = -8000.0;
+    /// Bound of |u|.
+    const U_MAX: f64 = 3.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
@@ -160,25 +173,26 @@ impl Stage8 {
         let elapsed = k.wrapping_sub(self.start);
         let x1 = x[0];
         let x2 = x[1];
-        let left = 30_u32.saturating_sub(elapsed);
-        let m0 = if (left as f64) < 5.0 {
-            5.0
+        let left = Self::SAMPLES.saturating_sub(elapsed);
+        let m0 = if (left as f64) < Self::HOLD {
+            Self::HOLD
         } else {
             left as f64
         };
         let v: f64;
 
         // The exact law in samples.
-        let z1 = ((-20000000.0) * x1) + (10000.0 * x2);
-        let z2 = (-8000.0) * x2;
-        v = ((z1 / (m0 + 3.0)) + z2) / (m0 + 2.0);
+        let z1 = (Self::W1_1 * x1) + (Self::W1_2 * x2);
+        let z2 = Self::W2_2 * x2;
+        let m0f1 = m0 + 3.0;
+        v = (z1 + (z2 * m0f1)) / (m0f1 * (m0 + 2.0));
         let (u, status) = if v.is_finite() {
-            if elapsed < 30 {
-                if 3.0 < v {
-                    (3.0, Status::Saturated)
-                } else if v < -3.0 {
-                    (-3.0, Status::Saturated)
-                } else if (left as f64) <= 5.0 {
+            if elapsed < Self::SAMPLES {
+                if v > Self::U_MAX {
+                    (Self::U_MAX, Status::Saturated)
+                } else if v < -Self::U_MAX {
+                    (-Self::U_MAX, Status::Saturated)
+                } else if (left as f64) <= Self::HOLD {
                     (v, Status::Hold)
                 } else {
                     (v, Status::Ok)

@@ -45,8 +45,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE9_65D75522_H
-#define STAGE9_65D75522_H
+#ifndef STAGE9_FAF795A8_H
+#define STAGE9_FAF795A8_H
 
 #include <stdint.h>
 
@@ -90,24 +90,24 @@ typedef struct stage9 {
     double x1_hat; /* estimate of x1 */
     double x2_hat; /* estimate of x2 */
     double x3_hat; /* estimate of x3 */
-    double phi1_2; /* prediction from a state */
-    double phi1_3; /* prediction from a state */
+    double phi1_2; /* prediction of x1 from x2 */
+    double phi1_3; /* prediction of x1 from x3 */
     double gamma1; /* prediction from u */
     double hold_o; /* samples to go at which the observer is held */
-    double q2_1; /* weight in the observer's gains */
-    double q2_2; /* weight in the observer's gains */
-    double q3_1; /* weight in the observer's gains */
+    double q2_1; /* weight in the observer's gain l2 */
+    double q2_2; /* weight in the observer's gain l2 */
+    double q3_1; /* weight in the observer's gain l3 */
     double hold; /* samples to go at which the gains are held */
-    double w1_1; /* weight of a state in the law */
-    double w1_2; /* weight of a state in the law */
-    double w1_3; /* weight of a state in the law */
-    double w2_2; /* weight of a state in the law */
-    double w2_3; /* weight of a state in the law */
-    double w3_3; /* weight of a state in the law */
-    double w4_4; /* weight of a state in the law */
-    double b_1; /* weight of a state in the law */
-    double b_2; /* weight of a state in the law */
-    double b_3; /* weight of a state in the law */
+    double w1_1; /* weight of x1 in the law */
+    double w1_2; /* weight of x2 in the law */
+    double w1_3; /* weight of x3 in the law */
+    double w2_2; /* weight of x2 in the law */
+    double w2_3; /* weight of x3 in the law */
+    double w3_3; /* weight of x3 in the law */
+    double w4_4; /* weight of u1 in the law */
+    double b_1; /* weight of x1 in the law */
+    double b_2; /* weight of x2 in the law */
+    double b_3; /* weight of x3 in the law */
 } stage9;
 
 /*@ predicate stage9_set(stage9 *c) =

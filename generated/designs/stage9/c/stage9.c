@@ -33,12 +33,19 @@
 #endif
 #endif
 
+/* What is known of the design, each number rounded once. */
+#define STAGE9_Q1_1 120.0 /* weight in the observer's gain l1 */
+#define STAGE9_Q1_2 (-60.0) /* weight in the observer's gain l1 */
+#define STAGE9_Q1_3 12.0 /* weight in the observer's gain l1 */
+#define STAGE9_DEADBEAT 3.5 /* 7/2, samples to go at which deadbeat takes over */
+#define STAGE9_B_4 (-3.0) /* weight of u1 in the law */
+#define STAGE9_U_MAX 1000.0 /* bound of |u| */
 ptc_status stage9_init(stage9 *self, const stage9_params *params)
 {
     ptc_status status = PTC_E_PARAM;
 
     if ((self != NULL) && (params != NULL)) {
-        if ((7U < params->samples)
+        if ((params->samples > 7U)
             && (1e-150 <= params->h)
             && (params->h <= 1e150)
             && PTC_FINITE_F64(params->k[0])
@@ -46,7 +53,7 @@ ptc_status stage9_init(stage9 *self, const stage9_params *params)
             && PTC_FINITE_F64(params->k[2])
             && PTC_FINITE_F64(params->k[3])
             && PTC_FINITE_F64(params->deadbeat)
-            && (0.0 <= params->deadbeat)) {
+            && (params->deadbeat >= 0.0)) {
             const uint32_t samples = params->samples;
             const double phi1_2 = params->h;
             const double phi1_3 = 0.5 * (params->h * params->h);
@@ -85,9 +92,9 @@ ptc_status stage9_init(stage9 *self, const stage9_params *params)
                 && PTC_FINITE_F64(b_1)
                 && PTC_FINITE_F64(b_2)
                 && PTC_FINITE_F64(b_3)
-                && (1e-200 <= params->h * params->h * params->h)
-                && (1e-200 <= 1.0 / (params->h * params->h * params->h))
-                && (3.0 <= hold_o)) {
+                && (params->h * params->h * params->h >= 1e-200)
+                && (1.0 / (params->h * params->h * params->h) >= 1e-200)
+                && (hold_o >= 3.0)) {
                 self->start = 0U;
                 self->samples = samples;
                 self->u1 = 0.0;
@@ -172,38 +179,39 @@ ptc_status stage9_step(stage9 *self, uint32_t k, const double y[1], double *u)
             double l1;
             double l2;
             double l3;
-            const double r0 = 1.0 / o0;
-            const double r1 = 1.0 / (o0 - 1.0);
-            const double r2 = 1.0 / (o0 - 2.0);
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-            l2 = ((self->q2_1 * r0) + self->q2_2) * r1 * r2;
-            l3 = self->q3_1 * r0 * r1 * r2;
+            const double o0f2 = o0 * (o0 - 1.0);
+            const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+            l1 = (STAGE9_Q1_1 + (STAGE9_Q1_2 * o0) + (STAGE9_Q1_3 * o0f2)) * r0;
+            l2 = (self->q2_1 + (self->q2_2 * o0)) * r0;
+            l3 = self->q3_1 * r0;
             const double x1 = base + (l1 * miss);
             const double x2 = p2 + (l2 * miss);
             const double x3 = p3 + (l3 * miss);
             const uint32_t left = (elapsed < self->samples) ? (self->samples - elapsed) : 0U;
             const double m0 = ((double)left < self->hold) ? self->hold : (double)left;
             double v;
-            if (3.5 < m0) {
+            if (m0 > STAGE9_DEADBEAT) {
                 /* The exact law in samples. */
                 const double z1 = (self->w1_1 * x1) + (self->w1_2 * x2) + (self->w1_3 * x3);
                 const double z2 = (self->w2_2 * x2) + (self->w2_3 * x3);
                 const double z3 = self->w3_3 * x3;
                 const double z4 = self->w4_4 * self->u1;
-                const double s3 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-                v = (s3 / (m0 - 3.0)) + self->u1;
+                const double m0f2 = m0 * (m0 - 1.0);
+                const double m0f3 = m0f2 * (m0 - 2.0);
+                const double s3 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+                v = s3 + self->u1;
             } else {
                 /* Deadbeat. */
                 const double s4 = (self->b_1 * x1) + (self->b_2 * x2) + (self->b_3 * x3);
-                v = s4 - (3.0 * self->u1);
+                v = s4 + (STAGE9_B_4 * self->u1);
             }
             status = PTC_E_RANGE;
             if (PTC_FINITE_F64(v)) {
                 double u_now;
-                if (1000.0 < v) {
-                    u_now = 1000.0;
-                } else if (v < -1000.0) {
-                    u_now = -1000.0;
+                if (v > STAGE9_U_MAX) {
+                    u_now = STAGE9_U_MAX;
+                } else if (v < -STAGE9_U_MAX) {
+                    u_now = -STAGE9_U_MAX;
                 } else {
                     u_now = v;
                 }
@@ -214,7 +222,7 @@ ptc_status stage9_step(stage9 *self, uint32_t k, const double y[1], double *u)
                 self->x3_hat = x3;
                 self->seen = 1U;
                 *u = u_now;
-                if ((1000.0 < v) || (v < -1000.0)) {
+                if ((v > STAGE9_U_MAX) || (v < -STAGE9_U_MAX)) {
                     status = PTC_SATURATED;
                 } else if ((double)left <= self->hold) {
                     status = PTC_HOLD;

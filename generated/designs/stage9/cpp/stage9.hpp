@@ -44,8 +44,8 @@
  *   loop: not checked: `samples` is left to run time.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef STAGE9_50B55132_HPP
-#define STAGE9_50B55132_HPP
+#ifndef STAGE9_38AAF62E_HPP
+#define STAGE9_38AAF62E_HPP
 
 #include <array>
 #include <cfloat>
@@ -121,7 +121,7 @@ public:
     /// Takes the parameters and arms at tick 0. Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status init(const Params& params) noexcept
     {
-        if (!((7U < params.samples)
+        if (!((params.samples > 7U)
                 && (1e-150 <= params.h)
                 && (params.h <= 1e150)
                 && finite(params.k[0])
@@ -129,7 +129,7 @@ public:
                 && finite(params.k[2])
                 && finite(params.k[3])
                 && finite(params.deadbeat)
-                && (0.0 <= params.deadbeat))) {
+                && (params.deadbeat >= 0.0))) {
             return Status::Param;
         }
         const std::uint32_t samples = params.samples;
@@ -170,9 +170,9 @@ public:
                 && finite(b_1)
                 && finite(b_2)
                 && finite(b_3)
-                && (1e-200 <= params.h * params.h * params.h)
-                && (1e-200 <= 1.0 / (params.h * params.h * params.h))
-                && (3.0 <= hold_o))) {
+                && (params.h * params.h * params.h >= 1e-200)
+                && (1.0 / (params.h * params.h * params.h) >= 1e-200)
+                && (hold_o >= 3.0))) {
             return Status::Param;
         }
         start_ = 0U;
@@ -250,39 +250,40 @@ public:
         double l1{};
         double l2{};
         double l3{};
-        const double r0 = 1.0 / o0;
-        const double r1 = 1.0 / (o0 - 1.0);
-        const double r2 = 1.0 / (o0 - 2.0);
-        l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-        l2 = ((q2_1_ * r0) + q2_2_) * r1 * r2;
-        l3 = q3_1_ * r0 * r1 * r2;
+        const double o0f2 = o0 * (o0 - 1.0);
+        const double r0 = 1.0 / (o0f2 * (o0 - 2.0));
+        l1 = (q1_1_ + (q1_2_ * o0) + (q1_3_ * o0f2)) * r0;
+        l2 = (q2_1_ + (q2_2_ * o0)) * r0;
+        l3 = q3_1_ * r0;
         const double x1 = base + (l1 * miss);
         const double x2 = p2 + (l2 * miss);
         const double x3 = p3 + (l3 * miss);
         const std::uint32_t left = (elapsed < samples_) ? (samples_ - elapsed) : 0U;
         const double m0 = (static_cast<double>(left) < hold_) ? hold_ : static_cast<double>(left);
         double v{};
-        if (3.5 < m0) {
+        if (m0 > deadbeat_) {
             // The exact law in samples.
             const double z1 = (w1_1_ * x1) + (w1_2_ * x2) + (w1_3_ * x3);
             const double z2 = (w2_2_ * x2) + (w2_3_ * x3);
             const double z3 = w3_3_ * x3;
             const double z4 = w4_4_ * u1_;
-            const double s3 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            v = (s3 / (m0 - 3.0)) + u1_;
+            const double m0f2 = m0 * (m0 - 1.0);
+            const double m0f3 = m0f2 * (m0 - 2.0);
+            const double s3 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = s3 + u1_;
         } else {
             // Deadbeat.
             const double s4 = (b_1_ * x1) + (b_2_ * x2) + (b_3_ * x3);
-            v = s4 - (3.0 * u1_);
+            v = s4 + (b_4_ * u1_);
         }
         if (!finite(v)) {
             return {0.0, Status::Range};
         }
         double u_now{};
-        if (1000.0 < v) {
-            u_now = 1000.0;
-        } else if (v < -1000.0) {
-            u_now = -1000.0;
+        if (v > u_max_) {
+            u_now = u_max_;
+        } else if (v < -u_max_) {
+            u_now = -u_max_;
         } else {
             u_now = v;
         }
@@ -292,7 +293,7 @@ public:
         x2_hat_ = x2;
         x3_hat_ = x3;
         seen_ = 1U;
-        if ((1000.0 < v) || (v < -1000.0)) {
+        if ((v > u_max_) || (v < -u_max_)) {
             return {u_now, Status::Saturated};
         } else if (static_cast<double>(left) <= hold_) {
             return {u_now, Status::Hold};
@@ -318,6 +319,18 @@ private:
     {
         return (v > 0.0) ? v : (0.0 - v);
     }
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_1_{120.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_2_{-60.0};
+    /// Weight in the observer's gain l1.
+    static constexpr double q1_3_{12.0};
+    /// 7/2, samples to go at which deadbeat takes over.
+    static constexpr double deadbeat_{3.5};
+    /// Weight of u1 in the law.
+    static constexpr double b_4_{-3.0};
+    /// Bound of |u|.
+    static constexpr double u_max_{1000.0};
 
     std::uint32_t start_{}; // tick at which it was armed
     std::uint32_t samples_{}; // samples from the start to rest
@@ -327,24 +340,24 @@ private:
     double x1_hat_{}; // estimate of x1
     double x2_hat_{}; // estimate of x2
     double x3_hat_{}; // estimate of x3
-    double phi1_2_{}; // prediction from a state
-    double phi1_3_{}; // prediction from a state
+    double phi1_2_{}; // prediction of x1 from x2
+    double phi1_3_{}; // prediction of x1 from x3
     double gamma1_{}; // prediction from u
     double hold_o_{}; // samples to go at which the observer is held
-    double q2_1_{}; // weight in the observer's gains
-    double q2_2_{}; // weight in the observer's gains
-    double q3_1_{}; // weight in the observer's gains
+    double q2_1_{}; // weight in the observer's gain l2
+    double q2_2_{}; // weight in the observer's gain l2
+    double q3_1_{}; // weight in the observer's gain l3
     double hold_{}; // samples to go at which the gains are held
-    double w1_1_{}; // weight of a state in the law
-    double w1_2_{}; // weight of a state in the law
-    double w1_3_{}; // weight of a state in the law
-    double w2_2_{}; // weight of a state in the law
-    double w2_3_{}; // weight of a state in the law
-    double w3_3_{}; // weight of a state in the law
-    double w4_4_{}; // weight of a state in the law
-    double b_1_{}; // weight of a state in the law
-    double b_2_{}; // weight of a state in the law
-    double b_3_{}; // weight of a state in the law
+    double w1_1_{}; // weight of x1 in the law
+    double w1_2_{}; // weight of x2 in the law
+    double w1_3_{}; // weight of x3 in the law
+    double w2_2_{}; // weight of x2 in the law
+    double w2_3_{}; // weight of x3 in the law
+    double w3_3_{}; // weight of x3 in the law
+    double w4_4_{}; // weight of u1 in the law
+    double b_1_{}; // weight of x1 in the law
+    double b_2_{}; // weight of x2 in the law
+    double b_3_{}; // weight of x3 in the law
 };
 
 } // namespace ptc

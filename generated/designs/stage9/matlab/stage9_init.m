@@ -66,7 +66,7 @@ if numel(params.k) ~= 4
     error('stage9:param', 'params.k has %d numbers; legal: 4', numel(params.k));
 end
 given.deadbeat = double(params.deadbeat);
-if ~(uint32(7) < given.samples)
+if ~(given.samples > uint32(7))
     error('stage9:param', 'params.samples is %g; legal: >= 8', params.samples);
 end
 if ~((1e-150 <= given.h) && (given.h <= 1e150))
@@ -84,7 +84,7 @@ end
 if ~isfinite(given.k(4))
     error('stage9:param', 'params.k(4) is %g; legal: finite', params.k(4));
 end
-if ~(isfinite(given.deadbeat) && (0.0 <= given.deadbeat))
+if ~(isfinite(given.deadbeat) && (given.deadbeat >= 0.0))
     error('stage9:param', 'params.deadbeat is %g; legal: >= 0', params.deadbeat);
 end
 samples = given.samples;
@@ -125,9 +125,9 @@ if ~(isfinite(phi1_3) ...
     && isfinite(b_1) ...
     && isfinite(b_2) ...
     && isfinite(b_3) ...
-    && (1e-200 <= given.h * given.h * given.h) ...
-    && (1e-200 <= 1.0 / (given.h * given.h * given.h)) ...
-    && (3.0 <= hold_o))
+    && (given.h * given.h * given.h >= 1e-200) ...
+    && (1.0 / (given.h * given.h * given.h) >= 1e-200) ...
+    && (hold_o >= 3.0))
     error('stage9:param', 'the coefficients leave the range of numbers: take gains, rates and sample periods nearer to 1');
 end
 self.start = uint32(0);

@@ -14,6 +14,12 @@ function [u, status, self] = stage9_step(self, k, y) %#codegen
 %     -2  an argument is not finite, or time lies before the start, or a tick is not whole
 %     -3  u not finite
 
+q1_1 = 120.0; % weight in the observer's gain l1
+q1_2 = -60.0; % weight in the observer's gain l1
+q1_3 = 12.0; % weight in the observer's gain l1
+deadbeat = 3.5; % 7/2, samples to go at which deadbeat takes over
+b_4 = -3.0; % weight of u1 in the law
+u_max = 1000.0; % bound of |u|
 u = 0.0;
 k = double(k);
 if ~(isfinite(k) && (k == floor(k)))
@@ -45,38 +51,39 @@ else
 end
 left_o = bitshift(self.samples, -1) - elapsed;
 o0 = pick(double(left_o) < self.hold_o, self.hold_o, double(left_o));
-r0 = 1.0 / o0;
-r1 = 1.0 / (o0 - 1.0);
-r2 = 1.0 / (o0 - 2.0);
-l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-l3 = self.q3_1 * r0 * r1 * r2;
+o0f2 = o0 * (o0 - 1.0);
+r0 = 1.0 / (o0f2 * (o0 - 2.0));
+l1 = (q1_1 + (q1_2 * o0) + (q1_3 * o0f2)) * r0;
+l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+l3 = self.q3_1 * r0;
 x1 = base + (l1 * miss);
 x2 = p2 + (l2 * miss);
 x3 = p3 + (l3 * miss);
 left = self.samples - elapsed;
 m0 = pick(double(left) < self.hold, self.hold, double(left));
-if 3.5 < m0
+if m0 > deadbeat
     % The exact law in samples.
     z1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
     z2 = (self.w2_2 * x2) + (self.w2_3 * x3);
     z3 = self.w3_3 * x3;
     z4 = self.w4_4 * self.u1;
-    s3 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-    v = (s3 / (m0 - 3.0)) + self.u1;
+    m0f2 = m0 * (m0 - 1.0);
+    m0f3 = m0f2 * (m0 - 2.0);
+    s3 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+    v = s3 + self.u1;
 else
     % Deadbeat.
     s4 = (self.b_1 * x1) + (self.b_2 * x2) + (self.b_3 * x3);
-    v = s4 - (3.0 * self.u1);
+    v = s4 + (b_4 * self.u1);
 end
 if ~isfinite(v)
     status = int32(-3);
     return;
 end
-if 1000.0 < v
-    u_now = 1000.0;
-elseif v < -1000.0
-    u_now = -1000.0;
+if v > u_max
+    u_now = u_max;
+elseif v < -u_max
+    u_now = -u_max;
 else
     u_now = v;
 end
@@ -86,7 +93,7 @@ self.x1_hat = x1;
 self.x2_hat = x2;
 self.x3_hat = x3;
 self.seen = uint32(1);
-if (1000.0 < v) || (v < -1000.0)
+if (v > u_max) || (v < -u_max)
     u = u_now;
     status = int32(2);
 elseif double(left) <= self.hold

@@ -113,6 +113,19 @@ def _numbers(given: ArrayLike, length: int, name: str) -> Array:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: ({length},)")
     return numbers
 
+# Weight in the observer's gain l1.
+_Q1_1 = _R(120.0)
+# Weight in the observer's gain l1.
+_Q1_2 = _R(-60.0)
+# Weight in the observer's gain l1.
+_Q1_3 = _R(12.0)
+# 7/2, samples to go at which deadbeat takes over.
+_DEADBEAT = _R(3.5)
+# Weight of u1 in the law.
+_B_4 = _R(-3.0)
+# Bound of |u|.
+_U_MAX = _R(1000.0)
+
 class Stage9:
     """The controller. Takes the parameters and arms at tick 0.
 
@@ -127,7 +140,7 @@ class Stage9:
             given_h = _R(params.h)
             given_k = _numbers(params.k, 4, "params.k")
             given_deadbeat = _R(params.deadbeat)
-            if not (7 < given_samples):
+            if not (given_samples > 7):
                 raise ValueError(f"params.samples is {params.samples}; legal: >= 8")
             if not (1e-150 <= given_h <= 1e150):
                 raise ValueError(f"params.h is {params.h}; legal: from 1e-150 to 1e150")
@@ -139,7 +152,7 @@ class Stage9:
                 raise ValueError(f"params.k[2] is {params.k[2]}; legal: finite")
             if not np.isfinite(given_k[3]):
                 raise ValueError(f"params.k[3] is {params.k[3]}; legal: finite")
-            if not (np.isfinite(given_deadbeat) and (0.0 <= given_deadbeat)):
+            if not (np.isfinite(given_deadbeat) and (given_deadbeat >= 0.0)):
                 raise ValueError(f"params.deadbeat is {params.deadbeat}; legal: >= 0")
             samples = given_samples
             phi1_2 = given_h
@@ -180,9 +193,9 @@ class Stage9:
                 and np.isfinite(b_1)
                 and np.isfinite(b_2)
                 and np.isfinite(b_3)
-                and (1e-200 <= given_h * given_h * given_h)
-                and (1e-200 <= 1.0 / (given_h * given_h * given_h))
-                and (3.0 <= hold_o)
+                and (given_h * given_h * given_h >= 1e-200)
+                and (1.0 / (given_h * given_h * given_h) >= 1e-200)
+                and (hold_o >= 3.0)
             ):
                 raise ValueError("the coefficients leave the range of numbers; take gains, rates and sample periods nearer to 1")
             self._start = 0
@@ -256,35 +269,36 @@ class Stage9:
                 miss = y[0] - p1
             left_o = max((self._samples // 2) - elapsed, 0)
             o0 = max(_R(left_o), self._hold_o)
-            r0 = 1.0 / o0
-            r1 = 1.0 / (o0 - 1.0)
-            r2 = 1.0 / (o0 - 2.0)
-            l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2
-            l2 = ((self._q2_1 * r0) + self._q2_2) * r1 * r2
-            l3 = self._q3_1 * r0 * r1 * r2
+            o0f2 = o0 * (o0 - 1.0)
+            r0 = 1.0 / (o0f2 * (o0 - 2.0))
+            l1 = (_Q1_1 + (_Q1_2 * o0) + (_Q1_3 * o0f2)) * r0
+            l2 = (self._q2_1 + (self._q2_2 * o0)) * r0
+            l3 = self._q3_1 * r0
             x1 = base + (l1 * miss)
             x2 = p2 + (l2 * miss)
             x3 = p3 + (l3 * miss)
             left = max(self._samples - elapsed, 0)
             m0 = max(_R(left), self._hold)
-            if 3.5 < m0:
+            if m0 > _DEADBEAT:
                 # The exact law in samples.
                 z1 = (self._w1_1 * x1) + (self._w1_2 * x2) + (self._w1_3 * x3)
                 z2 = (self._w2_2 * x2) + (self._w2_3 * x3)
                 z3 = self._w3_3 * x3
                 z4 = self._w4_4 * self._u1
-                s3 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4
-                v = (s3 / (m0 - 3.0)) + self._u1
+                m0f2 = m0 * (m0 - 1.0)
+                m0f3 = m0f2 * (m0 - 2.0)
+                s3 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0))
+                v = s3 + self._u1
             else:
                 # Deadbeat.
                 s4 = (self._b_1 * x1) + (self._b_2 * x2) + (self._b_3 * x3)
-                v = s4 - (3.0 * self._u1)
+                v = s4 + (_B_4 * self._u1)
             if not np.isfinite(v):
                 return Control(_R(0.0), Status.RANGE)
-            if 1000.0 < v:
-                u_now = _R(1000.0)
-            elif v < -1000.0:
-                u_now = _R(-1000.0)
+            if v > _U_MAX:
+                u_now = _U_MAX
+            elif v < -_U_MAX:
+                u_now = -_U_MAX
             else:
                 u_now = v
             self._u2 = self._u1
@@ -293,7 +307,7 @@ class Stage9:
             self._x2_hat = x2
             self._x3_hat = x3
             self._seen = 1
-            if (1000.0 < v) or (v < -1000.0):
+            if (v > _U_MAX) or (v < -_U_MAX):
                 return Control(u_now, Status.SATURATED)
             elif _R(left) <= self._hold:
                 return Control(u_now, Status.HOLD)

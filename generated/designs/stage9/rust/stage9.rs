@@ -152,41 +152,41 @@ pub struct Stage9 {
     x2_hat: f64,
     /// estimate of x3.
     x3_hat: f64,
-    /// prediction from a state.
+    /// prediction of x1 from x2.
     phi1_2: f64,
-    /// prediction from a state.
+    /// prediction of x1 from x3.
     phi1_3: f64,
     /// prediction from u.
     gamma1: f64,
     /// samples to go at which the observer is held.
     hold_o: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_1: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l2.
     q2_2: f64,
-    /// weight in the observer's gains.
+    /// weight in the observer's gain l3.
     q3_1: f64,
     /// samples to go at which the gains are held.
     hold: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     w1_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w1_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w1_3: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     w2_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w2_3: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     w3_3: f64,
-    /// weight of a state in the law.
+    /// weight of u1 in the law.
     w4_4: f64,
-    /// weight of a state in the law.
+    /// weight of x1 in the law.
     b_1: f64,
-    /// weight of a state in the law.
+    /// weight of x2 in the law.
     b_2: f64,
-    /// weight of a state in the law.
+    /// weight of x3 in the law.
     b_3: f64,
 }
 
@@ -199,12 +199,25 @@ pub struct Stage9 {
     clippy::nursery
 )]
 impl Stage9 {
+    /// Weight in the observer's gain l1.
+    const Q1_1: f64 = 120.0;
+    /// Weight in the observer's gain l1.
+    const Q1_2: f64 = -60.0;
+    /// Weight in the observer's gain l1.
+    const Q1_3: f64 = 12.0;
+    /// 7/2, samples to go at which deadbeat takes over.
+    const DEADBEAT: f64 = 3.5;
+    /// Weight of u1 in the law.
+    const B_4: f64 = -3.0;
+    /// Bound of |u|.
+    const U_MAX: f64 = 1000.0;
+
     /// Takes the parameters and arms at tick 0.
     ///
     /// # Errors
     /// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.
     pub fn new(params: Stage9Params) -> Result<Self, Error> {
-        if !((7 < params.samples)
+        if !((params.samples > 7)
             && (1e-150 <= params.h)
             && (params.h <= 1e150)
             && params.k[0].is_finite()
@@ -212,7 +225,7 @@ impl Stage9 {
             && params.k[2].is_finite()
             && params.k[3].is_finite()
             && params.deadbeat.is_finite()
-            && (0.0 <= params.deadbeat))
+            && (params.deadbeat >= 0.0))
         {
             return Err(Error::Param);
         }
@@ -254,9 +267,9 @@ impl Stage9 {
             && b_1.is_finite()
             && b_2.is_finite()
             && b_3.is_finite()
-            && (1e-200 <= params.h * params.h * params.h)
-            && (1e-200 <= 1.0 / (params.h * params.h * params.h))
-            && (3.0 <= hold_o))
+            && (params.h * params.h * params.h >= 1e-200)
+            && (1.0 / (params.h * params.h * params.h) >= 1e-200)
+            && (hold_o >= 3.0))
         {
             return Err(Error::Param);
         }
@@ -342,12 +355,11 @@ impl Stage9 {
         let l1: f64;
         let l2: f64;
         let l3: f64;
-        let r0 = 1.0 / o0;
-        let r1 = 1.0 / (o0 - 1.0);
-        let r2 = 1.0 / (o0 - 2.0);
-        l1 = ((((120.0 * r0) - 60.0) * r1) + 12.0) * r2;
-        l2 = ((self.q2_1 * r0) + self.q2_2) * r1 * r2;
-        l3 = self.q3_1 * r0 * r1 * r2;
+        let o0f2 = o0 * (o0 - 1.0);
+        let r0 = 1.0 / (o0f2 * (o0 - 2.0));
+        l1 = (Self::Q1_1 + (Self::Q1_2 * o0) + (Self::Q1_3 * o0f2)) * r0;
+        l2 = (self.q2_1 + (self.q2_2 * o0)) * r0;
+        l3 = self.q3_1 * r0;
         let x1 = base + (l1 * miss);
         let x2 = p2 + (l2 * miss);
         let x3 = p3 + (l3 * miss);
@@ -358,27 +370,29 @@ impl Stage9 {
             left as f64
         };
         let v: f64;
-        if 3.5 < m0 {
+        if m0 > Self::DEADBEAT {
             // The exact law in samples.
             let z1 = (self.w1_1 * x1) + (self.w1_2 * x2) + (self.w1_3 * x3);
             let z2 = (self.w2_2 * x2) + (self.w2_3 * x3);
             let z3 = self.w3_3 * x3;
             let z4 = self.w4_4 * self.u1;
-            let s3 = (((((z1 / m0) + z2) / (m0 - 1.0)) + z3) / (m0 - 2.0)) + z4;
-            v = (s3 / (m0 - 3.0)) + self.u1;
+            let m0f2 = m0 * (m0 - 1.0);
+            let m0f3 = m0f2 * (m0 - 2.0);
+            let s3 = (z1 + (z2 * m0) + (z3 * m0f2) + (z4 * m0f3)) / (m0f3 * (m0 - 3.0));
+            v = s3 + self.u1;
         } else {
             // Deadbeat.
             let s4 = (self.b_1 * x1) + (self.b_2 * x2) + (self.b_3 * x3);
-            v = s4 - (3.0 * self.u1);
+            v = s4 + (Self::B_4 * self.u1);
         }
         if !v.is_finite() {
             return Err(Error::Range);
         }
         let u_now: f64;
-        if 1000.0 < v {
-            u_now = 1000.0;
-        } else if v < -1000.0 {
-            u_now = -1000.0;
+        if v > Self::U_MAX {
+            u_now = Self::U_MAX;
+        } else if v < -Self::U_MAX {
+            u_now = -Self::U_MAX;
         } else {
             u_now = v;
         }
@@ -388,7 +402,7 @@ impl Stage9 {
         self.x2_hat = x2;
         self.x3_hat = x3;
         self.seen = 1;
-        let status = if (1000.0 < v) || (v < -1000.0) {
+        let status = if (v > Self::U_MAX) || (v < -Self::U_MAX) {
             Status::Saturated
         } else if (left as f64) <= self.hold {
             Status::Hold

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{0eb7fbc8-41e8-af93-d631-9e8bc1c04211}"
+#define TOKEN "{5d0cabb9-5d2b-1173-5e15-a198b071226d}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -118,13 +118,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const a_name_that_fills_half_of_a_line_alone_4_params *const params = &instance->state.params;
 
-    if (!(5U < params->samples)) {
+    if (!(params->samples > 5U)) {
         return refuse(instance, "samples", (float)instance->state.params.samples, "samples N from the start to rest [samples], >= 6");
     }
     if (!((1e-18f <= params->h) && (params->h <= 1e18f))) {
         return refuse(instance, "h", (float)instance->state.params.h, "sample period [s], from 1.000000045813705e-18 to 9.999999843067494e17");
     }
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {
@@ -133,7 +133,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (float)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0f <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0f))) {
         return refuse(instance, "deadbeat", (float)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

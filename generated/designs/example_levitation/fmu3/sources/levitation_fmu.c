@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{fcbe8fa3-0f35-aa0e-3ee8-c984a3582f51}"
+#define TOKEN "{80ccb53a-f0a1-88b8-4471-0fb3925df77d}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u
@@ -127,7 +127,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(t0) != 0))) {
         return refuse(instance, "t0", (double)instance->state.params.t0, "start time [s], finite");
     }
-    if (!(0.0 < u_max)) {
+    if (!(u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(p_L) != 0))) {
@@ -142,7 +142,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((0.005 <= p_z0) && (p_z0 <= 0.02))) {
         return refuse(instance, "z0", (double)instance->state.params.z0, "parameter of an expression of the design [as in its expression], from 0.005 to 0.02");
     }
-    if (!(0.001 < tau)) {
+    if (!(tau > 0.001)) {
         return refuse(instance, "tau", (double)instance->state.params.tau, "prescribed settling time [s], > 0.001");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{72509179-c008-949a-2adb-615351353560}"
+#define TOKEN "{60a43229-0b17-63e5-3fe4-1930668ef444}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 7u
@@ -127,7 +127,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const paced_params *const params = &instance->state.params;
 
-    if (!((-1.0 < params->u_max) && (0.0 <= params->u_max))) {
+    if (!((params->u_max > -1.0) && (params->u_max >= 0.0))) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "upper limit of u [unit of u], > -1, >= 0");
     }
     return 1;

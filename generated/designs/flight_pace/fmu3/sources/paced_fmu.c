@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{056ad987-2fd4-9a2d-c220-93065757d138}"
+#define TOKEN "{af92189e-f4b7-d6a1-2335-d0fcd1330360}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 7u
@@ -126,7 +126,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const paced_params *const params = &instance->state.params;
 
-    if (!((-1.0 < params->u_max) && (0.0 <= params->u_max))) {
+    if (!((params->u_max > -1.0) && (params->u_max >= 0.0))) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "upper limit of u [unit of u], > -1, >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2ab222bb-8820-ab6b-a886-dc1c75637b48}"
+#define TOKEN "{f83f5d1a-4355-6651-8c8d-5ea4d9b9f904}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u
@@ -123,10 +123,10 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(t0) != 0))) {
         return refuse(instance, "t0", (double)instance->state.params.t0, "start time [s], finite");
     }
-    if (!(1e-150 <= eps)) {
+    if (!(eps >= 1e-150)) {
         return refuse(instance, "eps", (double)instance->state.params.eps, "time-to-go at which the gains are held [s], >= 1e-150");
     }
-    if (!(0.0 < u_max)) {
+    if (!(u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!(eps < tau)) {

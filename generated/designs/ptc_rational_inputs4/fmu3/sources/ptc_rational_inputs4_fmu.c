@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d065875e-da37-48e4-492a-386308185a7f}"
+#define TOKEN "{2e18f579-fb4d-72bb-d44c-01aa9cc8c51b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u
@@ -128,10 +128,10 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(t0) != 0))) {
         return refuse(instance, "t0", (double)instance->state.params.t0, "start time [s], finite");
     }
-    if (!(1e-150 <= eps)) {
+    if (!(eps >= 1e-150)) {
         return refuse(instance, "eps", (double)instance->state.params.eps, "time-to-go at which the gains are held [s], >= 1e-150");
     }
-    if (!(0.0 < u_max)) {
+    if (!(u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(a) != 0) && (1e-150 <= a) && (a <= 1e150))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{50558878-092c-01e1-c232-ad82e80546c0}"
+#define TOKEN "{9d050974-5f7e-ea77-f9b3-2dcc2c0a8c6e}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -117,13 +117,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage0_params *const params = &instance->state.params;
 
-    if (!(0U < params->samples)) {
+    if (!(params->samples > 0U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 1");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
         return refuse(instance, "h", (double)instance->state.params.h, "sample period [s], from 1e-150 to 1e150");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((1e-150 <= params->a) && (params->a <= 1e150))) {
@@ -132,7 +132,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[0]) != 0))) {
         return refuse(instance, "k1", (double)instance->state.params.k[0], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

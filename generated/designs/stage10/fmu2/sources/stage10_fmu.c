@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{b429ea72-98ba-4d82-978a-9e57271e0a0b}"
+#define TOKEN "{d5fd8fc6-a811-cf32-8ee2-251831ee379d}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -117,13 +117,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage10_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (float)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
     if (!((1e-18f <= params->h) && (params->h <= 1e18f))) {
         return refuse(instance, "h", (float)instance->state.params.h, "sample period [s], from 1.000000045813705e-18 to 9.999999843067494e17");
     }
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {

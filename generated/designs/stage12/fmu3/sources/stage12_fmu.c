@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9b515490-8d08-a45d-999a-a52db5d9ecd0}"
+#define TOKEN "{a30775cc-69a1-a7f5-c43c-d35363ad339a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -119,10 +119,10 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage12_params *const params = &instance->state.params;
 
-    if (!(7U < params->samples)) {
+    if (!(params->samples > 7U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 8");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {
@@ -137,7 +137,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[3]) != 0))) {
         return refuse(instance, "k4", (double)instance->state.params.k[3], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{96169796-7cb8-90cc-b591-27a43bcd3c2a}"
+#define TOKEN "{344719bc-c66a-4814-a5c2-5b8bb7a1634e}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -117,10 +117,10 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage13_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (float)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {
@@ -129,7 +129,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (float)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0f <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0f))) {
         return refuse(instance, "deadbeat", (float)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6bb49762-9a7d-c7fb-4222-580f0703625b}"
+#define TOKEN "{163c2216-a44b-a59d-1ac3-4d19741a2a79}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -114,7 +114,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage18_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k) != 0))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4f9a3959-5c20-38b0-5eda-dd28e9aca004}"
+#define TOKEN "{5712c18f-9cbd-7bf7-b8d3-5a692e031f0e}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -113,7 +113,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage18_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k) != 0))) {

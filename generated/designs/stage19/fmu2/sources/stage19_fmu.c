@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{0d402d01-c7cd-1c7d-c7be-18a83590e3c5}"
+#define TOKEN "{9d724d57-034e-8313-1d23-7da391b675bd}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u
@@ -118,7 +118,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage19_params *const params = &instance->state.params;
 
-    if (!(2U < params->samples)) {
+    if (!(params->samples > 2U)) {
         return refuse(instance, "samples", (float)instance->state.params.samples, "samples N from the start to rest [samples], >= 3");
     }
     if (!((1e-18f <= params->h) && (params->h <= 1e18f))) {
@@ -133,7 +133,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[2]) != 0))) {
         return refuse(instance, "k3", (float)instance->state.params.k[2], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0f <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0f))) {
         return refuse(instance, "deadbeat", (float)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{899f010a-998c-9f0c-1f01-d167df42e93f}"
+#define TOKEN "{11d353df-54ac-b850-98a1-e27dd5e15b23}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u
@@ -117,7 +117,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage19_params *const params = &instance->state.params;
 
-    if (!(2U < params->samples)) {
+    if (!(params->samples > 2U)) {
         return refuse(instance, "samples", (float)instance->state.params.samples, "samples N from the start to rest [samples], >= 3");
     }
     if (!((1e-18f <= params->h) && (params->h <= 1e18f))) {
@@ -132,7 +132,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[2]) != 0))) {
         return refuse(instance, "k3", (float)instance->state.params.k[2], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0f <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0f))) {
         return refuse(instance, "deadbeat", (float)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9721aceb-b999-1ccf-8235-6a9d55f187a3}"
+#define TOKEN "{1d32aa7e-5a3b-2067-cb39-a08d07ad08bd}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u
@@ -122,13 +122,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage20_params *const params = &instance->state.params;
 
-    if (!(7U < params->samples)) {
+    if (!(params->samples > 7U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 8");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
         return refuse(instance, "h", (double)instance->state.params.h, "sample period [s], from 1e-150 to 1e150");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {
@@ -143,7 +143,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[3]) != 0))) {
         return refuse(instance, "k4", (double)instance->state.params.k[3], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

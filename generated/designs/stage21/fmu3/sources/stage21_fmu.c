@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{5eb7774a-8e20-383e-5761-fe9b07016e51}"
+#define TOKEN "{67e6d4dd-db07-ae90-b64a-26cb0cc8286f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u
@@ -120,13 +120,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage21_params *const params = &instance->state.params;
 
-    if (!(3U < params->samples)) {
+    if (!(params->samples > 3U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 4");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
         return refuse(instance, "h", (double)instance->state.params.h, "sample period [s], from 1e-150 to 1e150");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {
@@ -141,7 +141,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[3]) != 0))) {
         return refuse(instance, "k4", (double)instance->state.params.k[3], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     if (!((isfinite(params->size) != 0))) {

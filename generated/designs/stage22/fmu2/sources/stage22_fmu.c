@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4fceb3cc-5fdd-8bd7-355c-4370ce123a36}"
+#define TOKEN "{05d130a8-252c-7123-38cf-e731c6f00a58}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u
@@ -115,7 +115,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage22_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k) != 0))) {

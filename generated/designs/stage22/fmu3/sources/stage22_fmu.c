@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{38bd9132-93a4-e16b-b639-2404ac919df0}"
+#define TOKEN "{7d22d9d2-0b5f-b4c7-945a-8d2e7b78f68a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u
@@ -114,7 +114,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage22_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k) != 0))) {

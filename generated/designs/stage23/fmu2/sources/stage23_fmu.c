@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{f3f37e78-0e49-3af4-4868-7fd4dc27ce8a}"
+#define TOKEN "{8810f173-ceb0-b62f-4147-d8a259fbfc30}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u
@@ -115,7 +115,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage23_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

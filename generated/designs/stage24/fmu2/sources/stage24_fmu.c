@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{ae27f667-9a5d-ebe4-6755-c89f07635bab}"
+#define TOKEN "{4de4859a-89cb-9224-2a1d-befd787882c3}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -114,7 +114,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage24_params *const params = &instance->state.params;
 
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->size) != 0))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{75c791b8-2872-f568-2062-5b1cc62c6abd}"
+#define TOKEN "{5fd600cb-aff3-9c78-0b19-e13ebbf2b8d1}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -113,7 +113,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage24_params *const params = &instance->state.params;
 
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->size) != 0))) {

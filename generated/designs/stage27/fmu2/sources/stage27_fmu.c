@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{33264a5d-9391-8de8-6899-e843c7946eec}"
+#define TOKEN "{dba30fa2-46d6-88d4-d05a-e3fcbf26e676}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 7u
@@ -115,7 +115,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage27_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {

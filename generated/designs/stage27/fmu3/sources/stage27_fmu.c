@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7c0fff48-053d-87f1-238d-8807bb0f23ad}"
+#define TOKEN "{e9f27a40-67f4-1475-2abc-d49f7bc24a4b}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 7u
@@ -114,7 +114,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage27_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {

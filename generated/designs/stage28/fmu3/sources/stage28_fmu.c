@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{47626399-e53b-d201-fb2a-6ce4bdbdb4e7}"
+#define TOKEN "{ebb9372e-f882-c36d-3d9d-6984a644309f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -116,13 +116,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage28_params *const params = &instance->state.params;
 
-    if (!(0U < params->samples)) {
+    if (!(params->samples > 0U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 1");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
         return refuse(instance, "h", (double)instance->state.params.h, "sample period [s], from 1e-150 to 1e150");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k) != 0))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{0a6f1b4d-de7f-3c8a-36c3-a96e92785b43}"
+#define TOKEN "{33ae1eac-7506-47ed-b7eb-a899141a4831}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -114,7 +114,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage3_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9935abc6-a633-24c1-6224-c8503b096fc7}"
+#define TOKEN "{8c2e6f04-3bb0-139e-493f-867168dc7ca9}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -113,7 +113,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage3_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{b671ae12-fac1-3b22-ffb8-0413800f3d72}"
+#define TOKEN "{9e305aeb-17dd-cdf7-c767-0acc80b41716}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 7u
@@ -120,13 +120,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage30_params *const params = &instance->state.params;
 
-    if (!(2U < params->samples)) {
+    if (!(params->samples > 2U)) {
         return refuse(instance, "samples", (float)instance->state.params.samples, "samples N from the start to rest [samples], >= 3");
     }
     if (!((1e-18f <= params->h) && (params->h <= 1e18f))) {
         return refuse(instance, "h", (float)instance->state.params.h, "sample period [s], from 1.000000045813705e-18 to 9.999999843067494e17");
     }
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((1e-18f <= params->a) && (params->a <= 1e18f))) {
@@ -141,7 +141,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[2]) != 0))) {
         return refuse(instance, "k3", (float)instance->state.params.k[2], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0f <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0f))) {
         return refuse(instance, "deadbeat", (float)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

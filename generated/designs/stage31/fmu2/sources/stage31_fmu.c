@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{77d76cb7-89d8-c878-2ef4-b23b8bdf1b61}"
+#define TOKEN "{5bea02c6-04ab-df43-7687-cf75ce9197fb}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 9u
@@ -116,7 +116,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage31_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {

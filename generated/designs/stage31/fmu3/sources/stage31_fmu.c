@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{b47fa93a-6fe1-8df1-ce13-41760995a16c}"
+#define TOKEN "{d3ba64c3-eb97-db47-5450-2988f08dfaa6}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 9u
@@ -115,7 +115,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage31_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9b19bb6c-2b32-f5b0-a573-aa0ea344a5a1}"
+#define TOKEN "{d8f1d53f-22d3-6a99-3dbc-c85a5a40bce5}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u
@@ -120,7 +120,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage32_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((1e-150 <= params->a) && (params->a <= 1e150))) {
@@ -132,7 +132,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (double)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     if (!((isfinite(params->m) != 0))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{13aba3e5-16a5-de64-4fed-bf3c5698e1fc}"
+#define TOKEN "{4ea1a2d5-449b-8851-b660-031166478668}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u
@@ -119,7 +119,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage32_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((1e-150 <= params->a) && (params->a <= 1e150))) {
@@ -131,7 +131,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (double)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     if (!((isfinite(params->m) != 0))) {

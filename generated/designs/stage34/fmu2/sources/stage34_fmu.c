@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{2314859e-eb87-2ce1-d16a-f8aec2d6743c}"
+#define TOKEN "{560aca7b-0832-4982-fd3c-6684e99dd4de}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 15u
@@ -122,13 +122,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage34_params *const params = &instance->state.params;
 
-    if (!(2U < params->samples)) {
+    if (!(params->samples > 2U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 3");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
         return refuse(instance, "h", (double)instance->state.params.h, "sample period [s], from 1e-150 to 1e150");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((1e-150 <= params->a) && (params->a <= 1e150))) {
@@ -143,7 +143,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[2]) != 0))) {
         return refuse(instance, "k3", (double)instance->state.params.k[2], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4396d5d1-a534-d648-ced8-649e4639d2af}"
+#define TOKEN "{9e20fb01-2b2e-f43b-34b6-546a48b60ebb}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -120,7 +120,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage37_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
@@ -135,7 +135,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (double)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     if (!(params->u_min < params->u_max)) {

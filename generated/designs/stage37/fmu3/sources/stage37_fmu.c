@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{e19bd351-a512-e3b3-96b7-283f126ffb05}"
+#define TOKEN "{c1bfb786-5399-e6a4-79a3-8e7a091cee29}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -119,7 +119,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage37_params *const params = &instance->state.params;
 
-    if (!(1U < params->samples)) {
+    if (!(params->samples > 1U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 2");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
@@ -134,7 +134,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (double)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     if (!(params->u_min < params->u_max)) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{4fb25615-331e-365a-dd1d-e577fc6273b0}"
+#define TOKEN "{b250ae4e-5733-0731-d102-1eef2fd18ed0}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -118,7 +118,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage39_params *const params = &instance->state.params;
 
-    if (!(0U < params->samples)) {
+    if (!(params->samples > 0U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 1");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
@@ -130,10 +130,10 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[0]) != 0))) {
         return refuse(instance, "k1", (double)instance->state.params.k[0], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
-    if (!(0.3333333333333333 < params->u_max)) {
+    if (!(params->u_max > 0.3333333333333333)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "upper limit of u [unit of u], > 0.3333333333333333");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{11e094cf-d950-382b-5a8a-1073eef2756e}"
+#define TOKEN "{33b2e6fa-c08b-91b6-5b87-5157080d5288}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -119,13 +119,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage42_params *const params = &instance->state.params;
 
-    if (!(3U < params->samples)) {
+    if (!(params->samples > 3U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 4");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
         return refuse(instance, "h", (double)instance->state.params.h, "sample period [s], from 1e-150 to 1e150");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {
@@ -134,7 +134,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (double)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

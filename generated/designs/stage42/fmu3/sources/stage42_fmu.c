@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{bdccd8d1-9f77-eade-7724-2b9c95b1f42e}"
+#define TOKEN "{39473c2e-ade7-4af7-f191-65f2f476b968}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -118,13 +118,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage42_params *const params = &instance->state.params;
 
-    if (!(3U < params->samples)) {
+    if (!(params->samples > 3U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 4");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
         return refuse(instance, "h", (double)instance->state.params.h, "sample period [s], from 1e-150 to 1e150");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((isfinite(params->k[0]) != 0))) {
@@ -133,7 +133,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[1]) != 0))) {
         return refuse(instance, "k2", (double)instance->state.params.k[1], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{6f36cb43-0396-e766-801b-544f74d264ab}"
+#define TOKEN "{365d3f17-6bf3-cc10-9f97-013c791756af}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -115,10 +115,10 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage44_params *const params = &instance->state.params;
 
-    if (!(9U < params->samples)) {
+    if (!(params->samples > 9U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 10");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

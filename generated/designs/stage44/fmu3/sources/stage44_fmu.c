@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{a2166461-f562-c29b-222e-3f2662627497}"
+#define TOKEN "{d0bb8816-6c23-8e40-6884-8e687b9f234f}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -114,10 +114,10 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage44_params *const params = &instance->state.params;
 
-    if (!(9U < params->samples)) {
+    if (!(params->samples > 9U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 10");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

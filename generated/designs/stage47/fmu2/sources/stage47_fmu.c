@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{282fc2cf-8acc-b46a-e575-0abc94f85e0b}"
+#define TOKEN "{f0455218-c394-30a4-4cb5-ea79f45902b3}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -115,10 +115,10 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage47_params *const params = &instance->state.params;
 
-    if (!(22U < params->samples)) {
+    if (!(params->samples > 22U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 23");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

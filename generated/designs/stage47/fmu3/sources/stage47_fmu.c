@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{960b01c7-1319-b93a-905f-54f94f921812}"
+#define TOKEN "{cf5437cf-eab7-101a-3e62-a609dfefea5a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -114,10 +114,10 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage47_params *const params = &instance->state.params;
 
-    if (!(22U < params->samples)) {
+    if (!(params->samples > 22U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 23");
     }
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

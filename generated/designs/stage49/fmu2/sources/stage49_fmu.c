@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{557bbf47-7e48-9c84-1993-e80a0ee2f7eb}"
+#define TOKEN "{5e790245-00bc-9417-f729-df67e3da2ac7}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -113,7 +113,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage49_params *const params = &instance->state.params;
 
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{adff2e46-d84c-e3b6-1620-83389ac0c919}"
+#define TOKEN "{bc954b9a-2f9c-3fe6-10a5-567a2c51fb55}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 3u
@@ -112,7 +112,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage49_params *const params = &instance->state.params;
 
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

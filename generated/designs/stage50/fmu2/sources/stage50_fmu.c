@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{205a259e-5be6-0f98-e1b4-f684fa6f07a7}"
+#define TOKEN "{e8aa3b42-5450-713e-f177-08eb39c6d881}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u
@@ -114,7 +114,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage50_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

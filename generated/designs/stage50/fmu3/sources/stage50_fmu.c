@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{cbf5498b-8741-9579-0e7e-9e148a98dc0c}"
+#define TOKEN "{73703d3e-390f-095d-5a6c-d7637265e012}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 6u
@@ -113,7 +113,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage50_params *const params = &instance->state.params;
 
-    if (!(0.0 < params->u_max)) {
+    if (!(params->u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

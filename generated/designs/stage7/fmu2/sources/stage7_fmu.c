@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{d8ed9b21-8904-c0f0-35f2-a1d5338f5af8}"
+#define TOKEN "{4195270f-c76f-2c54-4c04-9cc3fb16b726}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -116,13 +116,13 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage7_params *const params = &instance->state.params;
 
-    if (!(3U < params->samples)) {
+    if (!(params->samples > 3U)) {
         return refuse(instance, "samples", (float)instance->state.params.samples, "samples N from the start to rest [samples], >= 4");
     }
     if (!((1e-18f <= params->h) && (params->h <= 1e18f))) {
         return refuse(instance, "h", (float)instance->state.params.h, "sample period [s], from 1.000000045813705e-18 to 9.999999843067494e17");
     }
-    if (!(0.0f < params->u_max)) {
+    if (!(params->u_max > 0.0f)) {
         return refuse(instance, "u_max", (float)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{dd0600f9-9e6c-d2af-5791-4cb721841da0}"
+#define TOKEN "{bab15107-d087-42e3-212e-42f9b3e84b80}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -120,7 +120,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage9_params *const params = &instance->state.params;
 
-    if (!(7U < params->samples)) {
+    if (!(params->samples > 7U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 8");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
@@ -138,7 +138,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[3]) != 0))) {
         return refuse(instance, "k4", (double)instance->state.params.k[3], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{85a39660-c7ae-0029-7c2e-6bbeae4b5f3c}"
+#define TOKEN "{45461502-2560-d067-ac12-ec32e0d17ebc}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 2u
@@ -119,7 +119,7 @@ static int parameters_are_legal(const Instance *instance)
 {
     const stage9_params *const params = &instance->state.params;
 
-    if (!(7U < params->samples)) {
+    if (!(params->samples > 7U)) {
         return refuse(instance, "samples", (double)instance->state.params.samples, "samples N from the start to rest [samples], >= 8");
     }
     if (!((1e-150 <= params->h) && (params->h <= 1e150))) {
@@ -137,7 +137,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(params->k[3]) != 0))) {
         return refuse(instance, "k4", (double)instance->state.params.k[3], "gains k_i of pi0 = -sum k_i xi_i [1/s], finite");
     }
-    if (!((isfinite(params->deadbeat) != 0) && (0.0 <= params->deadbeat))) {
+    if (!((isfinite(params->deadbeat) != 0) && (params->deadbeat >= 0.0))) {
         return refuse(instance, "deadbeat", (double)instance->state.params.deadbeat, "samples to go at which deadbeat takes over, 0 for a safe default [samples], >= 0");
     }
     return 1;
