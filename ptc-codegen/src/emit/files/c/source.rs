@@ -50,6 +50,9 @@ impl C<'_> {
             let name = self.constant(own);
             self.out.line(format!("#define {name} {value} /* {} */", own.described()));
         }
+        if !constants.is_empty() && self.code.tables.is_empty() {
+            self.out.line("");
+        }
     }
 
     fn tables(&mut self) {
