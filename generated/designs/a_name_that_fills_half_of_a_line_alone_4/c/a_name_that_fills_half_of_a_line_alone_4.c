@@ -37,6 +37,7 @@
 #define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_1 15.0f /* weight in the observer's gain l1 */
 #define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_2 (-12.0f) /* weight in the observer's gain l1 */
 #define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_3 4.5f /* 9/2, weight in the observer's gain l1 */
+
 ptc_status a_name_that_fills_half_of_a_line_alone_4_init(
     a_name_that_fills_half_of_a_line_alone_4 *self,
     const a_name_that_fills_half_of_a_line_alone_4_params *params)

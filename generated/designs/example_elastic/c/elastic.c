@@ -59,6 +59,7 @@
 #define ELASTIC_W2_2 (-336000.0) /* weight of x2 in the law */
 #define ELASTIC_W3_3 (-10.5) /* -21/2, weight of u1 in the law */
 #define ELASTIC_U_MAX 100.0 /* bound of |u| */
+
 ptc_status elastic_init(elastic *self, const elastic_params *params)
 {
     ptc_status status = PTC_E_PARAM;

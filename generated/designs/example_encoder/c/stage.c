@@ -59,6 +59,7 @@
 #define STAGE_END2_2 (-9000.0) /* weight of x2 in the law */
 #define STAGE_END2_3 (-6.0) /* weight of u1 in the law */
 #define STAGE_U_MAX 6.0 /* bound of |u| */
+
 ptc_status stage_init(stage *self, const stage_params *params)
 {
     ptc_status status = PTC_E_PARAM;

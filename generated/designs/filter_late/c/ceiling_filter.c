@@ -43,6 +43,7 @@
 #define CEILING_FILTER_S3_3 (-0.5f) /* -1/2, weight of x3 in the law */
 #define CEILING_FILTER_S3_4 0.01f /* 1/100, weight of u1 in the law */
 #define CEILING_FILTER_S3_5 0.005f /* 1/200, weight of u2 in the law */
+
 ptc_status ceiling_filter_init(ceiling_filter *self, const ceiling_filter_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -35,6 +35,7 @@
 /* What is known of the design, each number rounded once. */
 #define STOP_FILTER_S1_2 (-0.0005) /* -1/2000, weight of x2 in the law */
 #define STOP_FILTER_U_MAX 10.0 /* bound of |u| */
+
 ptc_status stop_filter_init(stop_filter *self, const stop_filter_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -58,6 +58,7 @@
 #define TABLE_TOO_SOON_S2_2_2 10000.0 /* weight of x2 in the law */
 #define TABLE_TOO_SOON_S2_3_2 (-50.0) /* weight of x3 in the law */
 #define TABLE_TOO_SOON_S3_3_2 100.0 /* weight of x3 in the law */
+
 ptc_status table_too_soon_init(table_too_soon *self, const table_too_soon_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -63,6 +63,7 @@
 #define LATE_STAGE_BACK1_2 (-0.001) /* -1/1000, a state of a sample ago */
 #define LATE_STAGE_BACK1_3 3.3333333333333335e-7 /* 1/3000000, a state of a sample ago */
 #define LATE_STAGE_BACK2_3 (-0.0006666666666666666) /* -1/1500, a state of a sample ago */
+
 ptc_status late_stage_init(late_stage *self, const late_stage_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -41,6 +41,7 @@
 #define PACED_W1_2 6000.0 /* weight of x2 in the law */
 #define PACED_W2_2 (-6000.0) /* weight of x2 in the law */
 #define PACED_W3_3 (-12.0) /* weight of u1 in the law */
+
 ptc_status paced_init(paced *self, const paced_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -47,6 +47,7 @@
 #define TOO_SOON_S2_2 10000.0f /* weight of x2 in the law */
 #define TOO_SOON_S2_3 (-50.0f) /* weight of x3 in the law */
 #define TOO_SOON_S3_3 100.0f /* weight of x3 in the law */
+
 ptc_status too_soon_init(too_soon *self, const too_soon_params *params)
 {
     ptc_status status = PTC_E_PARAM;

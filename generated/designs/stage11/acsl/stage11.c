@@ -86,6 +86,7 @@
 #define STAGE11_B_2 (-2500000.0f) /* weight of x2 in the law */
 #define STAGE11_B_3 (-29166.666f) /* -87500/3, weight of x3 in the law */
 #define STAGE11_B_4 (-208.33333f) /* -625/3, weight of x4 in the law */
+
 ptc_status stage11_init(stage11 *self, const stage11_params *params)
 {
     ptc_status status = PTC_E_PARAM;

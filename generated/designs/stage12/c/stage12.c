@@ -78,6 +78,7 @@
 #define STAGE12_B_2 (-5.132434542441746) /* weight of x2 in the law */
 #define STAGE12_B_3 (-6.801905651476086) /* weight of x3 in the law */
 #define STAGE12_B_4 (-2.5314283505021953) /* weight of u1 in the law */
+
 ptc_status stage12_init(stage12 *self, const stage12_params *params)
 {
     ptc_status status = PTC_E_PARAM;

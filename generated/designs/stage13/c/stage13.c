@@ -37,6 +37,7 @@
 #define STAGE13_C_2 4.2855716f /* weight of x2 in the law */
 #define STAGE13_B_1 11626.225f /* weight of x1 in the law */
 #define STAGE13_B_2 1009.77814f /* weight of x2 in the law */
+
 ptc_status stage13_init(stage13 *self, const stage13_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -38,6 +38,7 @@
 #define STAGE14_OBSERVER_Q1_1 104.0 /* weight in the observer's gain l1 */
 #define STAGE14_OBSERVER_Q1_2 (-53.0) /* weight in the observer's gain l1 */
 #define STAGE14_OBSERVER_Q1_3 11.0 /* weight in the observer's gain l1 */
+
 ptc_status stage14_observer_init(stage14_observer *self, const stage14_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;

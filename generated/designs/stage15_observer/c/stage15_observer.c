@@ -38,6 +38,7 @@
 #define STAGE15_OBSERVER_Q1_1 35.555557f /* 320/9, weight in the observer's gain l1 */
 #define STAGE15_OBSERVER_Q1_2 (-23.88889f) /* -215/9, weight in the observer's gain l1 */
 #define STAGE15_OBSERVER_Q1_3 7.0f /* weight in the observer's gain l1 */
+
 ptc_status stage15_observer_init(stage15_observer *self, const stage15_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -72,6 +72,7 @@
 #define STAGE16_OBSERVER_PHI3_2 (-0.011234620408672982) /* prediction of x3 from x2 */
 #define STAGE16_OBSERVER_PHI3_3 0.5412090107511158 /* prediction of x3 from x3 */
 #define STAGE16_OBSERVER_PHI3_4 0.37459048481653323 /* prediction of x3 from d */
+
 ptc_status stage16_observer_init(stage16_observer *self, const stage16_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -36,6 +36,7 @@
 #define STAGE17_OBSERVER_OBSERVER_SAMPLES 8U /* samples of the round of the observer */
 #define STAGE17_OBSERVER_Q1_1 (-20.0) /* weight in the observer's gain l1 */
 #define STAGE17_OBSERVER_Q1_2 8.0 /* weight in the observer's gain l1 */
+
 ptc_status stage17_observer_init(stage17_observer *self, const stage17_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;

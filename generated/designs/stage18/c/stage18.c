@@ -37,6 +37,7 @@
 #define STAGE18_W1_2 600.0 /* weight of x2 in the law */
 #define STAGE18_W2_2 (-600.0) /* weight of x2 in the law */
 #define STAGE18_SAMPLES 30U /* samples from the start to rest */
+
 ptc_status stage18_init(stage18 *self, const stage18_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -40,6 +40,7 @@
 #define STAGE2_W2_3 30000.0 /* weight of x3 in the law */
 #define STAGE2_W3_3 (-12000.0) /* weight of x3 in the law */
 #define STAGE2_SAMPLES 20U /* samples from the start to rest */
+
 ptc_status stage2_init(stage2 *self, const stage2_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -40,6 +40,7 @@
 #define STAGE20_C_3 2.0 /* weight of u1 in the law */
 #define STAGE20_B_3 (-2.0) /* weight of u1 in the law */
 #define STAGE20_B_4 (-0.65625) /* -21/32, weight of u2 in the law */
+
 ptc_status stage20_init(stage20 *self, const stage20_params *params)
 {
     ptc_status status = PTC_E_PARAM;

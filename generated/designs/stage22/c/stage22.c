@@ -37,6 +37,7 @@
 #define STAGE22_W1_2 600.0 /* weight of x2 in the law */
 #define STAGE22_W2_2 (-600.0) /* weight of x2 in the law */
 #define STAGE22_SAMPLES 30U /* samples from the start to rest */
+
 ptc_status stage22_init(stage22 *self, const stage22_params *params)
 {
     ptc_status status = PTC_E_PARAM;

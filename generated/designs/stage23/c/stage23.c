@@ -80,6 +80,7 @@
 #define STAGE23_B_3 (-3.523659928569286) /* weight of x3 in the law */
 #define STAGE23_B_4 (-2.5950153689199906) /* weight of u1 in the law */
 #define STAGE23_SAMPLES 50U /* samples from the start to rest */
+
 ptc_status stage23_init(stage23 *self, const stage23_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -43,6 +43,7 @@
 #define STAGE24_B_1 (-6519.427f) /* weight of x1 in the law */
 #define STAGE24_B_2 3185.2085f /* weight of x2 in the law */
 #define STAGE24_SAMPLES 30U /* samples from the start to rest */
+
 ptc_status stage24_init(stage24 *self, const stage24_params *params)
 {
     ptc_status status = PTC_E_PARAM;

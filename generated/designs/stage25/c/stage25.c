@@ -44,6 +44,7 @@
 #define STAGE25_END1_1_2 (-120000.0) /* weight of x1 in the law */
 #define STAGE25_END1_2_2 600.0 /* weight of x2 in the law */
 #define STAGE25_END2_2_2 (-600.0) /* weight of x2 in the law */
+
 ptc_status stage25_init(stage25 *self, const stage25_params *params)
 {
     ptc_status status = PTC_E_PARAM;

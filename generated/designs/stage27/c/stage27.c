@@ -37,6 +37,7 @@
 #define STAGE27_END_SAMPLES_2 6.0 /* samples to go at which the law of the end takes over */
 #define STAGE27_END_SAMPLES_3 7.0 /* samples to go at which the law of the end takes over */
 #define STAGE27_END_SAMPLES_4 9.0 /* samples to go at which the law of the end takes over */
+
 ptc_status stage27_init(stage27 *self, const stage27_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -36,6 +36,7 @@
 /* What is known of the design, each number rounded once. */
 #define STAGE28_DEADBEAT_1 9.0 /* samples to go at which deadbeat takes over */
 #define STAGE28_DEADBEAT_2 9.0 /* samples to go at which deadbeat takes over */
+
 ptc_status stage28_init(stage28 *self, const stage28_params *params)
 {
     ptc_status status = PTC_E_PARAM;

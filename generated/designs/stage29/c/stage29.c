@@ -49,6 +49,7 @@
 #define STAGE29_END1_1_3 420000.0 /* weight of x1 in the law */
 #define STAGE29_END1_2_3 (-2100.0) /* weight of x2 in the law */
 #define STAGE29_END2_2_3 1200.0 /* weight of x2 in the law */
+
 ptc_status stage29_init(stage29 *self, const stage29_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -57,6 +57,7 @@
 #define STAGE3_W2_2 (-60000.0) /* weight of x2 in the law */
 #define STAGE3_W3_3 (-12.0) /* weight of u1 in the law */
 #define STAGE3_SAMPLES 40U /* samples from the start to rest */
+
 ptc_status stage3_init(stage3 *self, const stage3_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -36,6 +36,7 @@
 /* What is known of the design, each number rounded once. */
 #define STAGE30_DEADBEAT_1 2.5f /* 5/2, samples to go at which deadbeat takes over */
 #define STAGE30_DEADBEAT_2 2.5f /* 5/2, samples to go at which deadbeat takes over */
+
 ptc_status stage30_init(stage30 *self, const stage30_params *params)
 {
     ptc_status status = PTC_E_PARAM;

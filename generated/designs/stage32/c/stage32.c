@@ -37,6 +37,7 @@
 #define STAGE32_H 0.01 /* 1/100, sample period */
 #define STAGE32_SAMPLES 30U /* samples from the start to rest */
 #define STAGE32_HOLD 4.0 /* samples to go at which the gains are held */
+
 ptc_status stage32_init(stage32 *self, const stage32_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -50,6 +50,7 @@
 #define STAGE33_END1_1_3 420000.0f /* weight of x1 in the law */
 #define STAGE33_END1_2_3 (-2100.0f) /* weight of x2 in the law */
 #define STAGE33_END2_2_3 1200.0f /* weight of x2 in the law */
+
 ptc_status stage33_init(stage33 *self, const stage33_params *params)
 {
     ptc_status status = PTC_E_PARAM;

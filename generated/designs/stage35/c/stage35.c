@@ -38,6 +38,7 @@
 #define STAGE35_W1_2_1 600.0 /* weight of x2 in the law */
 #define STAGE35_W2_2_1 (-600.0) /* weight of x2 in the law */
 #define STAGE35_W1_1_2 (-400.0) /* weight of x1 in the law */
+
 ptc_status stage35_init(stage35 *self, const stage35_params *params)
 {
     ptc_status status = PTC_E_PARAM;

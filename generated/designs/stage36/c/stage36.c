@@ -38,6 +38,7 @@
 #define STAGE36_B_2_1 (-75.0f) /* weight of x2 in the law */
 #define STAGE36_B_1_2 (-2500.0f) /* weight of x1 in the law */
 #define STAGE36_B_2_2 (-75.0f) /* weight of x2 in the law */
+
 ptc_status stage36_init(stage36 *self, const stage36_params *params)
 {
     ptc_status status = PTC_E_PARAM;

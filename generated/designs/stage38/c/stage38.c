@@ -57,6 +57,7 @@
 #define STAGE38_W2_2 (-6000.0f) /* weight of x2 in the law */
 #define STAGE38_W3_3 (-12.0f) /* weight of u1 in the law */
 #define STAGE38_SAMPLES 40U /* samples from the start to rest */
+
 ptc_status stage38_init(stage38 *self, const stage38_params *params)
 {
     ptc_status status = PTC_E_PARAM;

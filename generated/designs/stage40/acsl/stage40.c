@@ -58,6 +58,7 @@
 #define STAGE40_W3_3 (-12.0) /* weight of u1 in the law */
 #define STAGE40_U_MAX 6.0 /* bound of |u| */
 #define STAGE40_SAMPLES 40U /* samples from the start to rest */
+
 ptc_status stage40_init(stage40 *self, const stage40_params *params)
 {
     ptc_status status = PTC_E_PARAM;

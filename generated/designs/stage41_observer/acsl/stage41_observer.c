@@ -62,6 +62,7 @@
 #define STAGE41_OBSERVER_PHI2_3 0.11206872f /* prediction of x2 from x3 */
 #define STAGE41_OBSERVER_PHI3_2 (-0.11206872f) /* prediction of x3 from x2 */
 #define STAGE41_OBSERVER_PHI3_3 0.54122156f /* prediction of x3 from x3 */
+
 ptc_status stage41_observer_init(stage41_observer *self, const stage41_observer_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -36,6 +36,7 @@
 /* What is known of the design, each number rounded once. */
 #define STAGE42_Q1_1 (-5.0) /* weight in the observer's gain l1 */
 #define STAGE42_Q1_2 3.5 /* 7/2, weight in the observer's gain l1 */
+
 ptc_status stage42_init(stage42 *self, const stage42_params *params)
 {
     ptc_status status = PTC_E_PARAM;

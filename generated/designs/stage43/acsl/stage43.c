@@ -83,6 +83,7 @@
 #define STAGE43_W3_6 (-9.0) /* weight of u3 in the law */
 #define STAGE43_U_MAX 6.0 /* bound of |u| */
 #define STAGE43_SAMPLES 40U /* samples from the start to rest */
+
 ptc_status stage43_init(stage43 *self, const stage43_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -82,6 +82,7 @@
 #define STAGE44_C_3 0.5296658086896372 /* weight of x3 in the law */
 #define STAGE44_C_4 0.47301759733204196 /* weight of u1 in the law */
 #define STAGE44_C_5 0.15314166966017376 /* weight of u2 in the law */
+
 ptc_status stage44_init(stage44 *self, const stage44_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -38,6 +38,7 @@
 #define STAGE45_B_5 (-4.0f) /* weight of u3 in the law */
 #define STAGE45_B_6 (-5.0f) /* weight of u4 in the law */
 #define STAGE45_B_7 (-6.0f) /* weight of u5 in the law */
+
 ptc_status stage45_init(stage45 *self, const stage45_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -45,6 +45,7 @@
 #define STAGE46_W2_3 (-4.0) /* weight of u1 in the law */
 #define STAGE46_U_MAX 6.0 /* bound of |u| */
 #define STAGE46_SAMPLES 40U /* samples from the start to rest */
+
 ptc_status stage46_init(stage46 *self, const stage46_params *params)
 {
     ptc_status status = PTC_E_PARAM;

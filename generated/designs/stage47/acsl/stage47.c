@@ -82,6 +82,7 @@
 #define STAGE47_W3_3 (-24.09236101392236) /* weight of x3 in the law */
 #define STAGE47_C_2 0.29872942459099683 /* weight of x2 in the law */
 #define STAGE47_C_3 1.238117262270095 /* weight of x3 in the law */
+
 ptc_status stage47_init(stage47 *self, const stage47_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -37,6 +37,7 @@
 #define STAGE5_C_5 2.0 /* weight of u1 in the law */
 #define STAGE5_B_5 (-4.0) /* weight of u1 in the law */
 #define STAGE5_B_6 (-10.0) /* weight of u2 in the law */
+
 ptc_status stage5_init(stage5 *self, const stage5_params *params)
 {
     ptc_status status = PTC_E_PARAM;

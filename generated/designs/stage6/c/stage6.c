@@ -45,6 +45,7 @@
 #define STAGE6_B_1 (-62500000.0) /* weight of x1 in the law */
 #define STAGE6_B_2 (-250000.0) /* weight of x2 in the law */
 #define STAGE6_B_3 (-458.3333333333333) /* -1375/3, weight of x3 in the law */
+
 ptc_status stage6_init(stage6 *self, const stage6_params *params)
 {
     ptc_status status = PTC_E_PARAM;

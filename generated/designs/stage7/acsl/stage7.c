@@ -35,6 +35,7 @@
 /* What is known of the design, each number rounded once. */
 #define STAGE7_Q1_1 (-20.0f) /* weight in the observer's gain l1 */
 #define STAGE7_Q1_2 8.0f /* weight in the observer's gain l1 */
+
 ptc_status stage7_init(stage7 *self, const stage7_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -39,6 +39,7 @@
 #define STAGE8_W1_2 10000.0 /* weight of x2 in the law */
 #define STAGE8_W2_2 (-8000.0) /* weight of x2 in the law */
 #define STAGE8_U_MAX 3.0 /* bound of |u| */
+
 ptc_status stage8_init(stage8 *self, const stage8_params *params)
 {
     ptc_status status = PTC_E_PARAM;

@@ -40,6 +40,7 @@
 #define STAGE9_DEADBEAT 3.5 /* 7/2, samples to go at which deadbeat takes over */
 #define STAGE9_B_4 (-3.0) /* weight of u1 in the law */
 #define STAGE9_U_MAX 1000.0 /* bound of |u| */
+
 ptc_status stage9_init(stage9 *self, const stage9_params *params)
 {
     ptc_status status = PTC_E_PARAM;
