@@ -16,6 +16,7 @@ mod inputs;
 #[cfg(feature = "files")]
 mod interpret;
 mod iteration;
+mod map;
 mod operation;
 mod statement;
 mod status;

@@ -20,6 +20,7 @@ pub mod digits;
 #[cfg(feature = "files")]
 pub mod dump;
 pub mod elimination;
+mod fusion;
 pub mod interpret;
 pub mod kink;
 #[cfg(feature = "simulate")]
@@ -36,6 +37,7 @@ pub mod rows;
 #[cfg(feature = "files")]
 pub(crate) use arithmetic::Arithmetic;
 pub use arithmetic::apply;
+pub(crate) use fusion::Fusion;
 use range::Range;
 
 pub use op::{Op, Root};

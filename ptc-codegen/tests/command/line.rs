@@ -56,7 +56,6 @@ fn every_kind_of_mistake_has_its_message() {
         (&["--n=3", "--mu=exp", "--guard=half"], &["`half`", "full, result, none"]),
         (&["--n=3", "--mu=exp", "--fma=on"], &["fma = `on`", "true, false"]),
         (&["--n=3", "--mu=exp", "--fma", "--acsl"], &["[unsupported]", "leave `fma` out"]),
-        (&["--n=3", "--mu=exp", "--fma", "--clock=samples"], &["a clock in samples has no fused"]),
         (&["--n=3", "--mu=exp", "--latency=1"], &["latency = `1`", "true, false"]),
         (&["--n=3", "--mu=exp", "--latency", "--clock=samples"], &["leave `latency` out"]),
         (&["--n=3", "--mu=exp", "--precision=f32", "--tau=1e39"], &["1e39", "f32"]),

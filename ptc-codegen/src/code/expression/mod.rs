@@ -2,6 +2,8 @@
 //! printed.
 
 mod arithmetic;
+mod fused;
+mod map;
 mod test;
 
 pub use test::Test;
@@ -217,31 +219,10 @@ impl Expr {
     /// The same with local values in place of fields.
     #[must_use]
     pub fn local_fields(&self) -> Self {
-        let local = |e: &Self| Box::new(e.local_fields());
-        match self {
-            Self::Field(name) => Self::Local(name.clone()),
-            Self::Neg(a) => Self::Neg(local(a)),
-            Self::Real(a) => Self::Real(local(a)),
-            Self::Call(function, a) => Self::Call(*function, local(a)),
-            Self::Fused(operands) => {
-                Self::Fused(Box::new(operands.each_ref().map(Self::local_fields)))
-            }
-            Self::Quotient(a, b) => Self::Quotient(local(a), local(b)),
-            Self::Pow(a, b) => Self::Pow(local(a), local(b)),
-            Self::CountOver(a, divisor) => Self::CountOver(local(a), *divisor),
-            Self::CountAdd(a, b) => Self::CountAdd(local(a), local(b)),
-            Self::Tabulated(name, row, column) => {
-                Self::Tabulated(name.clone(), local(row), *column)
-            }
-            Self::Divisor(a) => Self::Divisor(local(a)),
-            Self::Binary(operator, a, b) => Self::Binary(*operator, local(a), local(b)),
-            Self::CountSub(a, b) => Self::CountSub(local(a), local(b)),
-            Self::CountLeft(a, b) => Self::CountLeft(local(a), local(b)),
-            Self::Choose(test, a, b) => {
-                Self::Choose(Box::new(test.local_fields()), local(a), local(b))
-            }
-            known => known.clone(),
-        }
+        self.clone().map(&mut |value| match value {
+            Self::Field(name) => Self::Local(name),
+            other => other,
+        })
     }
 
     /// The sum of `terms`.

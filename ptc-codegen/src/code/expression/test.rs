@@ -53,19 +53,6 @@ impl Test {
         self.compared().is_some_and(|(_, ends)| begins == Some(ends))
     }
 
-    pub(super) fn local_fields(&self) -> Self {
-        match self {
-            Self::Less(a, b) => Self::Less(a.local_fields(), b.local_fields()),
-            Self::AtMost(a, b) => Self::AtMost(a.local_fields(), b.local_fields()),
-            Self::CountLess(a, b) => Self::CountLess(a.local_fields(), b.local_fields()),
-            Self::CountEqual(a, b) => Self::CountEqual(a.local_fields(), b.local_fields()),
-            Self::Finite(a) => Self::Finite(a.local_fields()),
-            Self::NotNumber(a) => Self::NotNumber(a.local_fields()),
-            Self::All(tests) => Self::All(tests.iter().map(Self::local_fields).collect()),
-            of_status @ (Self::Stands(_) | Self::Fails(_)) => of_status.clone(),
-        }
-    }
-
     /// Calls `visit` on every expression in it.
     pub fn visit(&self, visit: &mut dyn FnMut(&Expr)) {
         match self {

@@ -1,14 +1,11 @@
 //! fuse: writes a product and the sum that needs it as one operation with one rounding.
 
 use super::{append, rebuild, uses};
-use crate::program::{Definition, Op, Program, Stage, Value};
+use crate::program::{Definition, Fusion, Op, Program, Stage, Value};
 
 /// Fuses, if the program sets `fma`, the sums and differences of a tick and a step with a product of the same stage
 /// that nothing else uses, and those in loops. Beside `balance` it is the one pass that changes roundings: there is one
 /// less in each.
-///
-/// A difference of two products stays as it is: it is 0 where they are equal, and has the sign that
-/// they give, while with one of them unrounded it would be what the other was rounded by.
 pub(super) fn run(program: Program) -> Program {
     if !program.fma {
         return program;
@@ -28,15 +25,19 @@ pub(super) fn run(program: Program) -> Program {
             (_, Op::Rows { tail, weights, .. }) => {
                 Some(Op::Rows { tail: tail.clone(), weights: weights.clone(), fused: true })
             }
-            (Op::Add(_, own), Op::Add(c, b)) if free(*own) => fused(new, *b, *c),
-            (Op::Add(own, _), Op::Add(a, c)) if free(*own) => fused(new, *a, *c),
+            (Op::Add(one, other), Op::Add(a, b)) => {
+                match Fusion::of_sum([free(*one), free(*other)]) {
+                    Some(Fusion::First) => fused(new, *a, *b),
+                    Some(Fusion::Second) => fused(new, *b, *a),
+                    None => None,
+                }
+            }
             (Op::Sub(one, other), Op::Sub(a, b)) => {
-                let is_product = |v: &Value| matches!(program.get(*v).op, Op::Mul(..));
-                match is_product(one) && is_product(other) {
-                    true => None,
-                    false if free(*other) => less(new, old.stage, *a, *b),
-                    false if free(*one) => minus(new, old.stage, *a, *b),
-                    false => None,
+                let products = [*one, *other].map(|v| matches!(program.get(v).op, Op::Mul(..)));
+                match Fusion::of_difference(products, [free(*one), free(*other)]) {
+                    Some(Fusion::First) => minus(new, old.stage, *a, *b),
+                    Some(Fusion::Second) => less(new, old.stage, *a, *b),
+                    None => None,
                 }
             }
             _ => None,

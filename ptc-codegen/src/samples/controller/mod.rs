@@ -48,7 +48,11 @@ pub fn controller(spec: &Spec, sampled: &Sampled, head: Vec<String>) -> Code {
         designs: &designs,
         output: None,
     };
-    let functions = builder.functions().into_iter().map(Function::without_unused).collect();
+    let functions = builder.functions().into_iter().map(Function::without_unused);
+    let functions = match spec.fma {
+        true => functions.map(Function::fused).collect(),
+        false => functions.collect(),
+    };
     Code {
         name: spec.name(),
         precision: spec.precision,

@@ -14,6 +14,7 @@ use crate::support;
 
 use ptc_codegen::code::{Code, Instance};
 use ptc_codegen::diagnostic::Diagnostic;
+use ptc_codegen::parameter::Parameter;
 use ptc_codegen::request::{self, Spec};
 use ptc_codegen::samples;
 use support::entries;
@@ -30,6 +31,19 @@ fn code(text: &str) -> Code {
     let code = samples::controller(&spec, spec.sampled().expect("samples"), Vec::new());
     code.check().expect("a program in order");
     code
+}
+
+/// Four factors of so many samples to go leave the range of single precision, so they are divided by in turn.
+#[test]
+fn single_precision_counts_down_from_any_number_of_samples() {
+    let code =
+        code("n = 4\nprecision = \"f32\"\nsample_time = 1\neps = 0\npoles = [-4,-5,-6,-7]\n");
+    let samples = [(Parameter::Samples, 4e9)];
+    let mut controller = Instance::with_parameters(&code, samples).expect("legal parameters");
+    let outcome = controller.call("step", &[("k", &[0.0][..]), ("x", &[1e6, 0.0, 0.0, 0.0])]);
+    let exact = -840.0 * 1e6 / 4e9_f64.powi(4);
+    let u = outcome.results["u"][0];
+    assert!((u / exact - 1.0).abs() < 1e-6, "{u:e}, not {exact:e}");
 }
 
 /// A chain given as a linear plant is the chain.

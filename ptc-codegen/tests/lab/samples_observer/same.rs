@@ -3,7 +3,8 @@
 
 use ptc_codegen::code::{Instance, Status};
 
-use super::{Random, code, estimates, legal, update};
+use super::emitted::Emitted;
+use super::{Random, code, estimates, legal, support, update};
 
 /// Designs of controllers with an observer of 30 samples inside.
 const DESIGNS: [&str; 7] = [
@@ -56,6 +57,38 @@ fn as_that_of_the_controller() {
             assert!(elapsed < 9 || found.iter().all(|value| *value != 0.0), "{found:?}");
             last = outcome.results["u"][0];
         }
+    }
+}
+
+/// Fused products have the bits of C, and are not those of the plain code.
+#[test]
+fn fused_products_have_the_bits_of_c() {
+    for (i, design) in DESIGNS.into_iter().enumerate().filter(|(_, own)| !own.contains("f32")) {
+        let alone = format!("what = \"observer\"\nobserver_samples = 30\n{design}");
+        let [plain, fused] = ["", "fma = true\n"].map(|key| legal(&format!("{key}{alone}")));
+        let [plain, own] = [code(&plain), (code(&fused))];
+        let measured = own.function("update").expect("an update").arguments[1].shape;
+        let measured = measured.length().expect("an array");
+        let mut instances =
+            [&plain, &own].map(|code| Instance::new(code, &[]).expect("legal parameters"));
+        let home = support::folder(&format!("fused_observer_{i}"));
+        let xhat = instances[1].call("estimate", &[]).results["xhat"].len();
+        let mut emitted = Emitted::new(&home, &fused, xhat);
+        let (mut random, mut differ) = (Random(5), 0);
+        for k in 0..60 {
+            let y: Vec<_> = (0..measured).map(|_| 2.0 * random.next() - 1.0).collect();
+            let u = random.next();
+            let (status, in_c) = emitted.update(k, &y, u);
+            let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+            let [before, found] =
+                [(&mut instances[0], &plain), (&mut instances[1], &own)].map(|(instance, code)| {
+                    assert_eq!(update(instance, k, &y, u).status.number(), status, "{design}");
+                    bits(&estimates(instance, code))
+                });
+            assert_eq!(found, bits(&in_c), "{design}, sample {k}");
+            differ += u32::from(found != before);
+        }
+        assert!(differ > 20, "{design}: {differ} samples differ");
     }
 }
 

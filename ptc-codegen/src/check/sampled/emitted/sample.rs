@@ -281,15 +281,7 @@ impl<'a> Sample<'a> {
                         }
                         Held::Count(_) => None,
                     },
-                    Operator::Mul => match (a, b) {
-                        (Held::Known(a), Held::Known(b)) => Some(Held::Known(product(a, b, units))),
-                        (Held::Known(k), Held::Linear(sum))
-                        | (Held::Linear(sum), Held::Known(k)) => {
-                            let each = sum.into_iter().map(|term| product(k, term, units));
-                            Some(Held::Linear(each.collect()))
-                        }
-                        _ => None,
-                    },
+                    Operator::Mul => times(a, b, units),
                     Operator::Div => match (a, b) {
                         (Held::Known(a), Held::Known(b)) => quotient(a, b, units).map(Held::Known),
                         (Held::Linear(sum), Held::Known(k)) => {
@@ -299,6 +291,11 @@ impl<'a> Sample<'a> {
                         _ => None,
                     },
                 }
+            }
+            Expr::Fused(operands) => {
+                let [a, b, c] = &**operands;
+                let unrounded = times(self.real(a)?, self.real(b)?, Units::EXACT)?;
+                self.sum(unrounded, self.real(c)?, units)
             }
             Expr::Real(a) => {
                 let count = self.count(a)?;
@@ -347,4 +344,16 @@ impl<'a> Sample<'a> {
 
 fn negative(a: Rounded) -> Rounded {
     Rounded { exact: -a.exact, ..a }
+}
+
+/// The product of two values, of which one at most depends on the states.
+fn times(a: Held, b: Held, units: Units) -> Option<Held> {
+    match (a, b) {
+        (Held::Known(a), Held::Known(b)) => Some(Held::Known(product(a, b, units))),
+        (Held::Known(k), Held::Linear(sum)) | (Held::Linear(sum), Held::Known(k)) => {
+            let each = sum.into_iter().map(|term| product(k, term, units));
+            Some(Held::Linear(each.collect()))
+        }
+        _ => None,
+    }
 }

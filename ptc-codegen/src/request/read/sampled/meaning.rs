@@ -99,12 +99,6 @@ impl Reader<'_> {
             "its u is tested under both",
         );
         against(
-            "fma",
-            spec.fma,
-            "a clock in samples has no fused multiply-add yet",
-            "leave `fma` out, or `clock`: code in time fuses",
-        );
-        against(
             "latency",
             spec.latency,
             "a clock in samples has no polynomials to evaluate as trees",

@@ -47,7 +47,6 @@ fn what_needs_one_input_is_refused() {
         ("t0", "1", "arm the controller at the tick"),
         ("after", "zero", "the outputs hold their gains after the deadline"),
         ("guard", "result", "has the guards full and none"),
-        ("fma", "true", "no fused multiply-add yet"),
         ("what", "observer", "such a plant is of a controller"),
         ("tau", "0.01", "too few to come to rest"),
         ("deadbeat", "1", "an integer of at least 2"),
