@@ -66,9 +66,24 @@ async function run(module, input) {
   return new Blob(written[1]);
 }
 
+/** The bytes of a text in base64. */
+function bytes(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const letters = atob(text);
+  const all = new Uint8Array(letters.length);
+  for (let i = 0; i < all.length; i += 1) all[i] = letters.charCodeAt(i);
+  return all;
+}
+
+async function gunzipped(packed) {
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
+
 /** The generator from what is packed. */
 async function unpacked({ unpack, packed }) {
-  const module = await run(await WebAssembly.compile(unpack), packed);
+  const command = WebAssembly.compile(await gunzipped(bytes(unpack)));
+  const module = await run(await command, bytes(packed));
   return WebAssembly.compile(await module.arrayBuffer());
 }
 

@@ -9,6 +9,7 @@ use anyhow::{Context as _, Result, ensure};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{LzmaOptions, LzmaWriter};
+use ptc_explorer_unpack::{restored, sorted};
 use serde_json::{Map, Value, json};
 use zopfli::{Format, Options};
 
@@ -23,24 +24,30 @@ const STYLE: &str = include_str!("../../page/style.css");
 const WORKER: &str = include_str!("../../page/worker.js");
 
 /// The modules by the names under which they import each other.
-const MODULES: [(&str, &str); 11] = [
+const MODULES: [(&str, &str); 17] = [
     ("chart", include_str!("../../page/chart.js")),
     ("checks", include_str!("../../page/checks.js")),
+    ("code", include_str!("../../page/code.js")),
+    ("diagram", include_str!("../../page/diagram.js")),
     ("dom", include_str!("../../page/dom.js")),
     ("editor", include_str!("../../page/editor.js")),
     ("engine", include_str!("../../page/engine.js")),
+    ("figures", include_str!("../../page/figures.js")),
+    ("formulas", include_str!("../../page/formulas.js")),
     ("knobs", include_str!("../../page/knobs.js")),
     ("link", include_str!("../../page/link.js")),
     ("main", include_str!("../../page/main.js")),
     ("output", include_str!("../../page/output.js")),
+    ("panels", include_str!("../../page/panels.js")),
     ("plane", include_str!("../../page/plane.js")),
     ("runs", include_str!("../../page/runs.js")),
+    ("trials", include_str!("../../page/trials.js")),
 ];
 
 /// The example that is there at first.
 const FIRST: &str = "encoder.toml";
 
-/// States at the start of examples, where 1 in the first state is not what they are for.
+/// States at the start of examples, where 1 in the first state is not what they are for and their heads name no other.
 const STARTS: [(&str, &str); 5] = [
     ("drive.toml", "0.1, 0, 0"),
     ("encoder.toml", "0.1, 0"),
@@ -82,7 +89,8 @@ struct Built {
 
 fn built(root: &Path, target: &Path) -> Result<Built> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["build", "--package", "ptc-explorer", "--bins", "--target", TARGET]);
+    cargo.args(["build", "--package", "ptc-explorer", "--package", "ptc-explorer-unpack"]);
+    cargo.args(["--bins", "--target", TARGET]);
     // A stripped module needs no room at its addresses for a linker that comes later.
     cargo
         .arg("--config")
@@ -94,7 +102,10 @@ fn built(root: &Path, target: &Path) -> Result<Built> {
         let path = target.join(TARGET).join(PROFILE).join(name).with_extension("wasm");
         fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
     };
-    Ok(Built { engine: by_lzma(&module("engine")?)?, unpack: by_gzip(&module("unpack")?)? })
+    let engine = module("engine")?;
+    let sorted = sorted(&engine).context("the generator has an instruction that is not known")?;
+    ensure!(restored(&sorted).as_ref() == Some(&engine), "the generator would not be restored");
+    Ok(Built { engine: by_lzma(&sorted)?, unpack: by_gzip(&module("ptc-explorer-unpack")?)? })
 }
 
 /// The designs that a reader begins with, by their names, in groups.
@@ -115,13 +126,26 @@ fn designs(folder: &Path) -> Result<Vec<Value>> {
     paths.sort();
     let example = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let start = STARTS.iter().find(|(example, _)| *example == name).map_or("", |(_, x0)| x0);
-        Ok(json!({ "name": name, "text": fs::read_to_string(path)?, "x0": start }))
+        let text = fs::read_to_string(path)?;
+        let own =
+            STARTS.iter().find(|(example, _)| *example == name).map(|(_, x0)| (*x0).to_owned());
+        let start = own.or_else(|| start(&text)).unwrap_or_default();
+        Ok(json!({ "name": name, "text": text, "x0": start }))
     };
     paths.iter().map(example).collect()
 }
 
-/// Packs a module by LZMA, a quarter shorter than gzip. Its instructions differ in length, so the place of a byte says nothing
+/// The state at the start in the command by which the head of a design shows it.
+fn start(text: &str) -> Option<String> {
+    let (_, rest) = text
+        .lines()
+        .find(|line| line.starts_with('#') && line.contains("--x0"))?
+        .split_once("--x0")?;
+    let numbers = rest[1..].split_whitespace().next()?;
+    Some(numbers.split(',').collect::<Vec<_>>().join(", "))
+}
+
+/// Packs the sorted bytes of a module by LZMA, a third shorter than gzip packs the module. The place of a byte says nothing
 /// of it, but the byte before says much.
 fn by_lzma(bytes: &[u8]) -> Result<Vec<u8>> {
     let by_bytes = LzmaOptions { lc: 4, lp: 0, pb: 0, ..LzmaOptions::with_preset(9) };
