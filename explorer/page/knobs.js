@@ -63,7 +63,8 @@ export function show(answer) {
     const taken = given === null ? assumed(answer, key) ?? knob.start : value;
     range.disabled = !Number.isFinite(taken) || (!whole && taken <= 0);
     const known = given === null && assumed(answer, key) !== null ? `${short(taken)} ${unit}, open` : "not set";
-    const text = given === null ? known : Number.isFinite(value) ? `${short(value)} ${unit}` : given;
+    const units = value === 1 && unit === "samples" ? "sample" : unit;
+    const text = given === null ? known : Number.isFinite(value) ? `${short(value)} ${units}` : given;
     told.classList.toggle("none", given === null);
     told.textContent = text;
     range.setAttribute("aria-valuetext", `${name} ${text}`);

@@ -8,9 +8,9 @@ const STEPS = 100;
 
 /** Sliders that every plant may have; `most` is in units of u where it is null. */
 const GENERAL = [
-  { key: "gain", name: "Input gain", rest: 1, unit: "of nominal" },
-  { key: "force", name: "Force", rest: 0, unit: "" },
-  { key: "friction", name: "Friction", rest: 0, unit: "" },
+  { key: "gain", name: "Input gain", rest: 1, before: "\u00d7" },
+  { key: "force", name: "Force", rest: 0 },
+  { key: "friction", name: "Friction", rest: 0 },
 ];
 
 let chosen = {};
@@ -44,7 +44,7 @@ export function show({ runs, figures, design }) {
   if (!offered) return;
   const scale = scaleOf(runs);
   const rows = GENERAL.filter(({ key }) => offered[key]).map((knob) => ({ ...knob, ...range(knob.key, scale) }));
-  const own = offered.symbols.map(({ name, low, high, middle }) => ({ key: name, name, symbol: true, rest: middle, low, high, unit: "" }));
+  const own = offered.symbols.map(({ name, low, high, middle }) => ({ key: name, name, symbol: true, rest: middle, low, high }));
   const all = [...rows, ...own];
   const wanted = JSON.stringify([design?.name, all.map(({ key, low, high }) => (chosen[key] || symbols[key] ? key : [key, low, high]))]);
   if (wanted !== shown && !$("trials").contains(document.activeElement)) {
@@ -73,13 +73,13 @@ function range(key, scale) {
 const held = ({ symbol }) => (symbol ? symbols : chosen);
 
 function row(knob) {
-  const { key, name, rest, low, high, logarithmic, unit } = knob;
+  const { key, name, rest, low, high, logarithmic, before = "" } = knob;
   const toValue = (at) => (logarithmic ? low * (high / low) ** (at / STEPS) : low + ((high - low) * at) / STEPS);
   const toStep = (value) => Math.round(STEPS * (logarithmic ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low)));
   const value = () => held(knob)[key] ?? rest;
   const told = element("output", { for: `try-${key}` });
   const say = () => {
-    const text = `${short(value(), 3)} ${unit}`.trim();
+    const text = `${before}${short(value(), 3)}`;
     told.textContent = text;
     slider.setAttribute("aria-valuetext", `${name} ${text}`);
   };
@@ -97,5 +97,5 @@ function row(knob) {
     set(rest);
   } }, "\u21ba");
   say();
-  return element("div", { class: "knob" }, reset, element("label", { for: `try-${key}` }, name, element("small", { id: `note-${key}` })), slider, told);
+  return element("div", { class: "knob" }, reset, element("label", { for: `try-${key}` }, name.replaceAll("_", "_\u200b"), element("small", { id: `note-${key}` })), slider, told);
 }

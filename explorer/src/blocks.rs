@@ -13,9 +13,12 @@ pub(crate) fn of_loop(spec: &Spec) -> Value {
     let sampled = spec.promises.sample_time.is_some();
     let mut forward = vec![block("Law", &spec.order_text())];
     forward.extend(limit(spec));
-    forward.extend(
-        spec.promises.delay.as_ref().map(|delay| block("Delay", &format!("{delay} samples"))),
-    );
+    forward.extend(spec.promises.delay.as_ref().map(|delay| {
+        block(
+            "Delay",
+            &format!("{delay} sample{}", if delay.to_string() == "1" { "" } else { "s" }),
+        )
+    }));
     if sampled {
         let period = spec.promises.sample_time.as_ref().and_then(number);
         forward

@@ -148,7 +148,7 @@ fn start(text: &str) -> Option<String> {
 /// Packs the sorted bytes of a module by LZMA, a third shorter than gzip packs the module. The place of a byte says nothing
 /// of it, but the byte before says much.
 fn by_lzma(bytes: &[u8]) -> Result<Vec<u8>> {
-    let by_bytes = LzmaOptions { lc: 4, lp: 0, pb: 0, ..LzmaOptions::with_preset(9) };
+    let by_bytes = LzmaOptions { lc: 2, lp: 0, pb: 0, ..LzmaOptions::with_preset(9) };
     let options = LzmaOptions { dict_size: DICTIONARY, ..by_bytes };
     let size = u64::try_from(bytes.len())?;
     let mut writer = LzmaWriter::new_use_header(Vec::new(), &options, Some(size))?;
@@ -177,7 +177,7 @@ fn page(built: &Built, examples: &[Value]) -> Result<String> {
         ("style", STYLE.to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("known", within_script(&known)),
-        ("worker", WORKER.to_owned()),
+        ("worker", bare(WORKER)),
         ("imports", within_script(&json!({ "imports": modules }))),
         ("engine", STANDARD.encode(&built.engine)),
         ("unpack", STANDARD.encode(&built.unpack)),
@@ -195,8 +195,23 @@ fn page(built: &Built, examples: &[Value]) -> Result<String> {
 fn module(text: &str) -> String {
     // What an address reads in another way, or leaves out.
     let marks = [('%', "%25"), ('#', "%23"), ('\n', "%0A"), ('\t', "%09")];
-    let text = marks.iter().fold(text.to_owned(), |text, (mark, code)| text.replace(*mark, code));
+    let text = marks.iter().fold(bare(text), |text, (mark, code)| text.replace(*mark, code));
     format!("data:text/javascript;charset=utf-8,{text}")
+}
+
+/// A script without the lines that are comments, and without indentation: both are for those who write it.
+fn bare(text: &str) -> String {
+    let mut within = false;
+    let mut kept = String::new();
+    for line in text.lines().map(str::trim) {
+        within |= line.starts_with("/*");
+        if !within && !line.starts_with("//") && !line.is_empty() {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+        within &= !line.ends_with("*/");
+    }
+    kept
 }
 
 /// JSON that no text in it can close the element of.

@@ -72,6 +72,9 @@ impl Course {
         let tracking = Tracking::new(spec, around.values).map_err(|failure| told(&failure))?;
         let size = (spec.states(), spec.input_names().len());
         let mut course = Self::new(tracking, size);
+        // The deadline that was asked for, which one in flight may leave at once.
+        let [start, tau] = [Parameter::StartTime, Parameter::Tau].map(|p| around.values.get(p));
+        course.deadlines.push(start + tau);
         match Loop::of(spec) {
             Some(looped) => sampled(&mut course, (spec, plant), around, looped),
             None if spec.has_model() => continuous(&mut course, Direct::of(spec, plant), around),
