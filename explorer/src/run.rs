@@ -118,12 +118,14 @@ pub(crate) fn runs(
     })
 }
 
-/// The state at the start: as it was typed, else at the bounds of the design, else 1 in the first state.
+/// The state at the start: as it was typed, else at the bounds of the design, else 1 in the first state of each axis.
 fn start(spec: &Spec, text: &str) -> Result<Vec<f64>, String> {
     let names = spec.state_names();
     if text.trim().is_empty() {
         let bounds = &spec.promises.x0_max;
-        let unit = |j| if j == 0 { 1.0 } else { 0.0 };
+        let joined = spec.joins_axes();
+        let first = |j: usize| j == 0 || joined && names[j].starts_with("x1_");
+        let unit = |j| if first(j) { 1.0 } else { 0.0 };
         return Ok((0..names.len()).map(|j| one_or_each(bounds, j).unwrap_or(unit(j))).collect());
     }
     let number = |item: &str| item.trim().parse::<f64>().ok().filter(|x| x.is_finite());

@@ -148,7 +148,8 @@ fn start(text: &str) -> Option<String> {
 /// Packs the sorted bytes of a module by LZMA, a third shorter than gzip packs the module. The place of a byte says nothing
 /// of it, but the byte before says much.
 fn by_lzma(bytes: &[u8]) -> Result<Vec<u8>> {
-    let by_bytes = LzmaOptions { lc: 2, lp: 0, pb: 0, ..LzmaOptions::with_preset(9) };
+    let by_bytes =
+        LzmaOptions { lc: 2, lp: 0, pb: 0, nice_len: 273, ..LzmaOptions::with_preset(9) };
     let options = LzmaOptions { dict_size: DICTIONARY, ..by_bytes };
     let size = u64::try_from(bytes.len())?;
     let mut writer = LzmaWriter::new_use_header(Vec::new(), &options, Some(size))?;

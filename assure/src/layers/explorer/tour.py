@@ -103,7 +103,7 @@ def taken(opened):
     opened.after(lambda: page.keyboard.press("ArrowRight"))
     facts["a slider adds its key"] = "\ntau = 1.05\n" in page.input_value("#text")
     put(OBSERVER, "0.1, 0")
-    facts["estimates are drawn"] = count("#charts path.estimate") == 2 and "estimated disturbance" in page.text_content("#charts")
+    facts["estimates are drawn"] = count("#charts path.run0.estimate") == 2 and "estimated disturbance" in page.text_content("#charts")
     opened.after(lambda: page.click("#tab-formulas"))
     facts["a law in samples is typeset"] = count("#files math mfrac") > 0 and count("#files math mtable") > 0
     put(REFERENCE)
@@ -111,7 +111,7 @@ def taken(opened):
     opened.after(lambda: page.click("#tab-c"))
     facts["tracking errors are drawn"] = "tracking error" in page.text_content("#charts")
     opened.after(lambda: page.click("#log"))
-    facts["the reference is drawn"] = count("#charts path.reference") == 2
+    facts["the reference is drawn"] = count("#charts path.run0.reference") == 2
     opened.after(lambda: page.click("#log"))
     put(LIMITED)
     facts["a deadline in flight is drawn"] = count("#charts path.line") > 0 and "deadlines at" in page.text_content("#legend")
