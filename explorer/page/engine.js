@@ -47,7 +47,7 @@ export class Engine {
     URL.revokeObjectURL(url);
     this.#worker.onmessage = ({ data }) => this.#end(JSON.parse(data.answer));
     this.#worker.onerror = (event) => this.#end({ fault: event.message });
-    this.#worker.postMessage({ unpack: text("unpack"), packed: text("engine") });
+    this.#worker.postMessage({ packed: text("engine") });
   }
 
   #stop() {

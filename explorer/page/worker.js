@@ -1,5 +1,4 @@
-// Unpacks the generator and runs it: WASI commands, one instance for each input.
-"use strict";
+// Runs the generator that `unpack.js` and `restore.js` before it unpack: a WASI command, an instance for each request.
 
 const SUCCESS = 0;
 const NOT_SUPPORTED = 58;
@@ -75,16 +74,9 @@ function bytes(text) {
   return all;
 }
 
-async function gunzipped(packed) {
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
-}
-
 /** The generator from what is packed. */
-async function unpacked({ unpack, packed }) {
-  const command = WebAssembly.compile(await gunzipped(bytes(unpack)));
-  const module = await run(await command, bytes(packed));
-  return WebAssembly.compile(await module.arrayBuffer());
+async function generator(packed) {
+  return WebAssembly.compile(restored(unpacked(bytes(packed))));
 }
 
 /** The answer to a request, or a fault. */
@@ -98,6 +90,6 @@ async function answer(request) {
 }
 
 onmessage = async ({ data }) => {
-  if (data.packed) engine = unpacked(data);
+  if (data.packed) engine = generator(data.packed);
   else postMessage({ id: data.id, answer: await answer(data.request) });
 };

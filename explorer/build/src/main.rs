@@ -1,5 +1,7 @@
 //! Builds the explorer: the generator as WebAssembly and all that shows it, in one file of HTML.
 
+mod sorted;
+
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -9,9 +11,8 @@ use anyhow::{Context as _, Result, ensure};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{LzmaOptions, LzmaWriter};
-use ptc_explorer_unpack::{restored, sorted};
 use serde_json::{Map, Value, json};
-use zopfli::{Format, Options};
+use sorted::sorted;
 
 const TARGET: &str = "wasm32-wasip1";
 const PROFILE: &str = "page";
@@ -21,7 +22,13 @@ const DICTIONARY: u32 = 1 << 22;
 
 const PAGE: &str = include_str!("../../page/index.html");
 const STYLE: &str = include_str!("../../page/style.css");
-const WORKER: &str = include_str!("../../page/worker.js");
+
+/// The script of the worker: what unpacks the generator, and what runs it.
+const WORKER: [&str; 3] = [
+    include_str!("../../page/unpack.js"),
+    include_str!("../../page/restore.js"),
+    include_str!("../../page/worker.js"),
+];
 
 /// The modules by the names under which they import each other.
 const MODULES: [(&str, &str); 17] = [
@@ -81,16 +88,10 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// The generator as WebAssembly, and what unpacks it, each packed.
-struct Built {
-    engine: Vec<u8>,
-    unpack: Vec<u8>,
-}
-
-fn built(root: &Path, target: &Path) -> Result<Built> {
+/// The generator as WebAssembly, packed.
+fn built(root: &Path, target: &Path) -> Result<Vec<u8>> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["build", "--package", "ptc-explorer", "--package", "ptc-explorer-unpack"]);
-    cargo.args(["--bins", "--target", TARGET]);
+    cargo.args(["build", "--package", "ptc-explorer", "--bins", "--target", TARGET]);
     // A stripped module needs no room at its addresses for a linker that comes later.
     cargo
         .arg("--config")
@@ -98,14 +99,9 @@ fn built(root: &Path, target: &Path) -> Result<Built> {
     cargo.args(["--profile", PROFILE]).current_dir(root).env("CARGO_TARGET_DIR", target);
     let status = cargo.status().context("cargo cannot be run")?;
     ensure!(status.success(), "cargo build failed; `rustup target add {TARGET}` adds the target");
-    let module = |name: &str| {
-        let path = target.join(TARGET).join(PROFILE).join(name).with_extension("wasm");
-        fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
-    };
-    let engine = module("engine")?;
-    let sorted = sorted(&engine).context("the generator has an instruction that is not known")?;
-    ensure!(restored(&sorted).as_ref() == Some(&engine), "the generator would not be restored");
-    Ok(Built { engine: by_lzma(&sorted)?, unpack: by_gzip(&module("ptc-explorer-unpack")?)? })
+    let path = target.join(TARGET).join(PROFILE).join("engine.wasm");
+    let engine = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    by_lzma(&sorted(&engine).context("the generator has an instruction that is not known")?)
 }
 
 /// The designs that a reader begins with, by their names, in groups.
@@ -157,16 +153,8 @@ fn by_lzma(bytes: &[u8]) -> Result<Vec<u8>> {
     Ok(writer.finish()?)
 }
 
-/// Packs by gzip, which a browser unpacks, as short as it gets: a page is packed once and loaded often. Its head holds no
-/// time, so the same bytes stay the same.
-fn by_gzip(bytes: &[u8]) -> Result<Vec<u8>> {
-    let mut packed = Vec::new();
-    zopfli::compress(Options::default(), Format::Gzip, bytes, &mut packed)?;
-    Ok(packed)
-}
-
 /// The page around a packed generator.
-fn page(built: &Built, examples: &[Value]) -> Result<String> {
+fn page(engine: &[u8], examples: &[Value]) -> Result<String> {
     let known = json!({
         "mappings": MAPPINGS,
         "examples": examples,
@@ -178,10 +166,9 @@ fn page(built: &Built, examples: &[Value]) -> Result<String> {
         ("style", STYLE.to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("known", within_script(&known)),
-        ("worker", bare(WORKER)),
+        ("worker", WORKER.map(bare).concat()),
         ("imports", within_script(&json!({ "imports": modules }))),
-        ("engine", STANDARD.encode(&built.engine)),
-        ("unpack", STANDARD.encode(&built.unpack)),
+        ("engine", STANDARD.encode(engine)),
     ];
     let mut page = PAGE.to_owned();
     for (name, text) in parts {

@@ -1,8 +1,10 @@
 //! Instructions of a function, and which of their bytes belong together.
 
-/// What a byte of a module is.
+use super::Sorter;
+
+/// What a byte of a module is, in the order in which `page/restore.js` reads them.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Stream {
+pub(super) enum Stream {
     /// Part of no function.
     Outside,
     Opcode,
@@ -26,41 +28,11 @@ pub(crate) enum Stream {
 }
 
 impl Stream {
-    pub(crate) const COUNT: usize = Self::Other as usize + 1;
-}
-
-/// Goes over a module byte by byte.
-pub(crate) trait Visit {
-    /// The next byte of the module, which the stream holds changed by an exclusive or; `None` at the end.
-    fn changed(&mut self, stream: Stream, by: u8) -> Option<u8>;
-
-    /// Begins a function, before its size.
-    fn open(&mut self) -> Option<()>;
-
-    /// Ends it.
-    fn close(&mut self) -> Option<()>;
-
-    /// The next byte.
-    fn byte(&mut self, stream: Stream) -> Option<u8> {
-        self.changed(stream, 0)
-    }
-
-    /// The next number, in groups of seven bits.
-    fn number(&mut self, stream: Stream) -> Option<u64> {
-        let (mut number, mut shift) = (0, 0);
-        loop {
-            let byte = self.byte(stream)?;
-            number |= u64::from(byte & 0x7f).checked_shl(shift)?;
-            shift += 7;
-            if byte & 0x80 == 0 {
-                return Some(number);
-            }
-        }
-    }
+    pub(super) const COUNT: usize = Self::Other as usize + 1;
 }
 
 /// Visits a function: its locals, and its instructions up to the end of its block.
-pub(crate) fn function(visit: &mut impl Visit) -> Option<()> {
+pub(super) fn function(visit: &mut Sorter<'_>) -> Option<()> {
     for _ in 0..visit.number(Stream::Other)? {
         visit.number(Stream::Other)?;
         visit.byte(Stream::Other)?;
@@ -80,7 +52,7 @@ pub(crate) fn function(visit: &mut impl Visit) -> Option<()> {
 }
 
 /// Visits what follows an opcode.
-fn operands(visit: &mut impl Visit, opcode: u8) -> Option<()> {
+fn operands(visit: &mut Sorter<'_>, opcode: u8) -> Option<()> {
     let (stream, count) = match opcode {
         0x00 | 0x01 | 0x05 | 0x0f | 0x1a | 0x1b | 0x45..=0xc4 => return Some(()),
         0x0c | 0x0d => (Stream::Branch, 1),
