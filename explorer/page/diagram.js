@@ -3,7 +3,9 @@
 import { $, drawn } from "dom";
 
 const BOX = { width: 112, height: 46, gap: 26 };
+/** Room above the blocks, for what acts on them. */
 const TOP = 30;
+const BARE = 6;
 
 /** Draws the loop of an answer: `loop` has the blocks from the law to the plant, and back. */
 export function show({ design }) {
@@ -12,10 +14,11 @@ export function show({ design }) {
   if (!loop) return;
   const columns = Math.max(loop.forward.length, loop.back.length, 2);
   const width = columns * (BOX.width + BOX.gap) + 24;
-  const under = TOP + BOX.height + 50;
+  const top = loop.into.length ? TOP : BARE;
+  const under = top + BOX.height + 50;
   const height = under + BOX.height + 14;
   const place = (index, y) => ({ x: 12 + BOX.gap / 2 + index * (BOX.width + BOX.gap), y });
-  const forward = spread(loop.forward, columns).map(([block, at]) => ({ block, ...place(at, TOP) }));
+  const forward = spread(loop.forward, columns).map(([block, at]) => ({ block, ...place(at, top) }));
   const back = spread(loop.back, columns).map(([block, at]) => ({ block, ...place(columns - 1 - at, under) }));
   const last = forward.at(-1);
   const first = forward[0];
@@ -26,12 +29,12 @@ export function show({ design }) {
   const right = width - 8;
   wires.push(`M${last.x + BOX.width} ${last.y + middle}H${right}V${under + middle}H${back.length ? back[0].x + BOX.width : first.x - 8}`);
   const end = back.at(-1);
-  if (end) wires.push(`M${end.x} ${under + middle}H${first.x - 16}V${TOP + middle}H${first.x}`);
-  else wires.push(`M${right} ${under + middle}H${first.x - 16}V${TOP + middle}H${first.x}`);
+  if (end) wires.push(`M${end.x} ${under + middle}H${first.x - 16}V${top + middle}H${first.x}`);
+  else wires.push(`M${right} ${under + middle}H${first.x - 16}V${top + middle}H${first.x}`);
   const into = loop.into.flatMap(({ block, text }) => {
     const to = forward.find((one) => one.block.name === block) ?? last;
     const x = to.x + BOX.width / 2;
-    return [drawn("path", { class: "wire", d: `M${x} 14V${TOP}`, "marker-end": "url(#tip)" }), drawn("text", { x, y: 10, "text-anchor": "middle" }, text)];
+    return [drawn("path", { class: "wire", d: `M${x} 14V${top}`, "marker-end": "url(#tip)" }), drawn("text", { x, y: 10, "text-anchor": "middle" }, text)];
   });
   $("diagram").replaceChildren(drawn("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": told(loop), style: `max-width:${Math.round(width * 1.15)}px` },
     drawn("defs", {}, drawn("marker", { id: "tip", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto" },

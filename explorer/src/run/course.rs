@@ -221,7 +221,9 @@ fn continuous<S: Side>(
             course.note(0, &sample, &seen, 0.0);
         })
     })
-    .map_err(|failure| told(&failure))
+    .map_err(|failure| {
+        format!("{}; with sample_time the emitted controller runs, sampled", told(&failure))
+    })
 }
 
 fn told(failure: &Failure) -> String {
