@@ -10,7 +10,7 @@ use crate::diagnostic::{digits_down, digits_up};
 use crate::linear::{Horizon, Peak, Signal};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::range::Range;
-use crate::request::{Flight, Late, Sampled, Spec};
+use crate::request::{Flight, Late, Sampled, Spec, What};
 use crate::samples::Ending;
 
 #[cfg(feature = "lab")]
@@ -62,12 +62,25 @@ pub(crate) fn feasible(spec: &Spec) -> Vec<String> {
     all
 }
 
+/// Returns the soonest tau found that keeps the limits of all chains from every state of `x0_max`, in s.
+pub fn soonest_tau(spec: &Spec) -> Option<f64> {
+    let designs = spec.designs();
+    let chains = designs.iter().map(Limited::new).collect::<Result<Vec<_>, _>>().ok()?;
+    chains.first()?.tau(earliest(&chains)?)
+}
+
 impl<'a> Limited<'a> {
     fn new(spec: &'a Spec) -> Result<Self, Unlimited> {
         let closed_form = Unlimited {
             why: "the law has no bounds in closed form",
             help: "give one chain, without a reference, poles of consecutive integers such as least-energy, and numbers for sample_time and eps",
         };
+        if spec.what == What::Filter {
+            return Err(Unlimited {
+                why: "a filter has no law, so that no deadline is planned",
+                help: "leave --plot out: the check `loop` prints whether the bounds can be kept",
+            });
+        }
         let Some(sampled) = spec.sampled() else {
             return Err(Unlimited {
                 why: "which deadlines the limits allow is known of a clock in samples",
