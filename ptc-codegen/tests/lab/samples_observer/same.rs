@@ -66,13 +66,13 @@ fn fused_products_have_the_bits_of_c() {
     for (i, design) in DESIGNS.into_iter().enumerate().filter(|(_, own)| !own.contains("f32")) {
         let alone = format!("what = \"observer\"\nobserver_samples = 30\n{design}");
         let [plain, fused] = ["", "fma = true\n"].map(|key| legal(&format!("{key}{alone}")));
-        let [plain, own] = [code(&plain), (code(&fused))];
+        let [plain, own] = [code(&plain), code(&fused)];
         let measured = own.function("update").expect("an update").arguments[1].shape;
         let measured = measured.length().expect("an array");
-        let mut instances =
+        let [mut unfused, mut instance] =
             [&plain, &own].map(|code| Instance::new(code, &[]).expect("legal parameters"));
         let home = support::folder(&format!("fused_observer_{i}"));
-        let xhat = instances[1].call("estimate", &[]).results["xhat"].len();
+        let xhat = instance.call("estimate", &[]).results["xhat"].len();
         let mut emitted = Emitted::new(&home, &fused, xhat);
         let (mut random, mut differ) = (Random(5), 0);
         for k in 0..60 {
@@ -81,7 +81,7 @@ fn fused_products_have_the_bits_of_c() {
             let (status, in_c) = emitted.update(k, &y, u);
             let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
             let [before, found] =
-                [(&mut instances[0], &plain), (&mut instances[1], &own)].map(|(instance, code)| {
+                [(&mut unfused, &plain), (&mut instance, &own)].map(|(instance, code)| {
                     assert_eq!(update(instance, k, &y, u).status.number(), status, "{design}");
                     bits(&estimates(instance, code))
                 });
