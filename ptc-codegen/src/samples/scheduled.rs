@@ -89,7 +89,16 @@ impl Builder<'_> {
         body.push(Statement::Variable(COUNT.to_owned(), Shape::Count));
         let set = |value| vec![Statement::Set(Place::Local(COUNT.to_owned()), value)];
         let goes_on = Test::CountLess(least.clone(), planned.clone());
-        body.push(Statement::If(goes_on, set(planned), set(least)));
+        let own = match self.replans() {
+            // A call of an earlier tick may have more of them than the table.
+            true => {
+                let most = Expr::Count(schedule.samples);
+                let beyond = Test::CountLess(most.clone(), planned.clone());
+                vec![Statement::If(beyond, set(most), set(planned))]
+            }
+            false => set(planned),
+        };
+        body.push(Statement::If(goes_on, own, set(least)));
         body
     }
 }

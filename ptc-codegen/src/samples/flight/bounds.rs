@@ -5,8 +5,8 @@ use std::ops::{Add, Mul, Neg};
 use super::super::controller::Builder;
 use super::super::predicted::weighted;
 use super::Chain;
-use super::stretch::Writer;
 use super::rows::within;
+use super::stretch::Writer;
 use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::expression::Function;
@@ -44,12 +44,7 @@ impl Limits {
     }
 
     /// Tests that the size of a sum is within a share of the limits of its signal.
-    pub(super) fn admit_size(
-        &self,
-        signal: Signal,
-        share: &BigRational,
-        value: Expr,
-    ) -> Vec<Test> {
+    pub(super) fn admit_size(&self, signal: Signal, share: &BigRational, value: Expr) -> Vec<Test> {
         let limit = match signal {
             Signal::Input => self.within.clone(),
             Signal::State(i) => self.states[i].clone(),

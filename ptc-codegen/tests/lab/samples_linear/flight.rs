@@ -17,7 +17,13 @@ const DESIGNS: [(&str, &str, &str, &str, &str); 4] = [
     ("0,1;0,-5", "0,40", "0", "inf,0.6", "eps = 0\n"),
     ("0,1;-400,-2", "0,40", "0.3", "inf,inf", "eps = 0\n"),
     ("0,1;9,1", "0,4", "2", "inf,inf", "eps = 0\ndelay_law = \"predict\"\n"),
-    ("0,1;0,-5", "0,40", "0", "inf,inf", "eps = 0.08\npoles_end = \"least-energy(weight=1)\"\nend_samples = 12\n"),
+    (
+        "0,1;0,-5",
+        "0,40",
+        "0",
+        "inf,inf",
+        "eps = 0.08\npoles_end = \"least-energy(weight=1)\"\nend_samples = 12\n",
+    ),
 ];
 
 const U_MAX: f64 = 5.0;
@@ -45,8 +51,8 @@ fn code(spec: &Spec) -> Code {
 fn states() -> impl Iterator<Item = [f64; 2]> {
     (0..12).map(|i| {
         let (sine, cosine) = (f64::from(i) * 1.7).sin_cos();
-        let size = 0.02 * f64::from(1 + i % 5);
-        [size * cosine, 4.0 * size * sine]
+        let size = 0.06 * f64::from(1 + i % 5);
+        [size * cosine, 2.0 * size * sine]
     })
 }
 
@@ -120,7 +126,7 @@ fn planned_deadlines_keep_all_limits_and_end_at_rest() {
             let left = run.plant.left();
             assert!(left < 1e-12 || design.4.contains("0.08"), "{design:?} {x:?}: {left}");
         }
-        assert!(found > 5, "{design:?}: {found}");
+        assert!(found > 3, "{design:?}: {found}");
     }
 }
 
@@ -139,18 +145,21 @@ fn deadlines_that_are_put_off_are_put_off_once() {
             put_off += u32::from(first == Status::Late);
             for k in 1..deadline + 10 {
                 let status = run.step(k);
-                assert!(matches!(status, Status::Ok | Status::Hold), "{design:?} {x:?} {k}: {status:?}");
+                assert!(
+                    matches!(status, Status::Ok | Status::Hold),
+                    "{design:?} {x:?} {k}: {status:?}"
+                );
                 assert_eq!(run.deadline(), deadline, "{design:?} {x:?} {k}");
             }
         }
-        assert!(put_off > 5, "{design:?}: {put_off}");
+        assert!(put_off > 3, "{design:?}: {put_off}");
     }
 }
 
 #[test]
 fn a_deadline_that_is_too_soon_is_refused() {
     for design in DESIGNS {
-        let mut run = Run::new(design, "late = \"refuse\"", [0.1, -0.2]);
+        let mut run = Run::new(design, "late = \"refuse\"", [0.3, -0.2]);
         let samples = run.soonest().expect("a deadline");
         assert_eq!(run.arm_for(samples), Status::Ok, "{design:?} {samples}");
         assert_eq!(run.arm_for(6), Status::Soon, "{design:?}");
@@ -182,6 +191,6 @@ fn plans_that_no_table_bounds_are_refused() {
     let own = text(DESIGNS[0], "late = \"extend\"");
     refused(&own.replace("\"least-energy\"", "[-4, -5]"), "beside A and B and a law of poles");
     refused(&own.replace("u_max = 5", "u_max = inf").replace("0.6", "inf"), "without a limit");
-    let follows = own.replace("[plant]", "reference = \"input\"\n[plant]");
+    let follows = own.replace("[plant]", "reference = \"input\"\n[model]\noutput = [1, 0]\n[plant]");
     refused(&follows, "the u that it will need is not known");
 }

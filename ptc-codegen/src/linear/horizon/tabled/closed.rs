@@ -3,9 +3,9 @@
 use num_traits::ToPrimitive;
 
 use super::Row;
+use crate::algebra::BigRational;
 use crate::linear::horizon::Signal;
 use crate::linear::{Matrix, Schedule};
-use crate::algebra::BigRational;
 use crate::parameter::Precision;
 
 /// x -> A x by the samples to go, and the rows that give its signals.
@@ -40,7 +40,8 @@ impl Closed {
         held: u32,
         precision: Precision,
     ) -> Option<Self> {
-        let row = |all: &[BigRational]| all.iter().map(ToPrimitive::to_f64).collect::<Option<Row>>();
+        let row =
+            |all: &[BigRational]| all.iter().map(ToPrimitive::to_f64).collect::<Option<Row>>();
         let emitted = |all: &Vec<BigRational>| -> Option<Row> {
             Some(row(all)?.into_iter().map(|gain| -rounded(gain, precision)).collect())
         };
@@ -115,9 +116,8 @@ impl Closed {
     /// The signal from so many samples to go on, where `held` bounds it once the gains are held.
     pub(super) fn future(&self, signal: Signal, held: &[Row], left: u32) -> Future {
         let n = self.order();
-        let mut all: Vec<Row> = (0..n)
-            .map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect())
-            .collect();
+        let mut all: Vec<Row> =
+            (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
         let mut rows = Vec::new();
         for left in (self.rest + 1..=left).rev() {
             rows.push(after(&self.signal(signal, left), &all));

@@ -81,6 +81,7 @@ impl Hull {
         let exact: Row = row.iter().zip(&self.units).map(|(a, b)| a / b).collect();
         let wanted = apart(&exact);
         let mut factors = times(&wanted, &basis.inverse, n);
+        let mut best = (size(&factors), basis.clone());
         for _ in 0..EXCHANGES {
             let signs: Row = factors.iter().map(|own| own.signum()).collect();
             let vertex: Row = (0..n).map(|i| dot(&basis.inverse[i * n..][..n], &signs)).collect();
@@ -100,9 +101,14 @@ impl Hull {
             }
             *basis = next;
             factors = times(&wanted, &basis.inverse, n);
+            // Each exchange makes the sum smaller, up to rounding.
+            if size(&factors) < best.0 {
+                best = (size(&factors), basis.clone());
+            }
         }
+        *basis = best.1;
         factors = times(&exact, &basis.inverse, n);
-        let sum = factors.iter().map(|own| own.abs()).sum();
+        let sum = size(&factors);
         Factors { sum, each: basis.rows.iter().copied().zip(factors).collect() }
     }
 
@@ -157,6 +163,11 @@ fn apart(row: &[f64]) -> Row {
 /// A row times a square matrix.
 fn times(row: &[f64], matrix: &[f64], n: usize) -> Row {
     (0..n).map(|j| (0..n).map(|i| row[i] * matrix[i * n + j]).sum()).collect()
+}
+
+/// The sum of the sizes.
+fn size(factors: &[f64]) -> f64 {
+    factors.iter().map(|own| own.abs()).sum()
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

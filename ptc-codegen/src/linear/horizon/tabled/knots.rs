@@ -26,6 +26,13 @@ enum Knot {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Knots(Vec<Knot>);
 
+/// A number of samples to go for which knots are chosen: the signal from there on, and from the two nodes beside it,
+/// between which its rows are interpolated, unless it is a node.
+pub(super) struct Way {
+    pub(super) own: Future,
+    pub(super) beside: Option<[Future; 2]>,
+}
+
 /// Rows at which a choice looks, of each way.
 const LOOKED: usize = 32;
 
@@ -54,13 +61,14 @@ impl Knots {
     }
 
     /// Adds knots until there are `most`, or the rows of all ways are bounded by `enough`.
-    pub(super) fn choose(&mut self, ways: &[Future], most: usize, enough: f64) {
+    pub(super) fn choose(&mut self, ways: &[Way], most: usize, enough: f64) {
         if self.0.is_empty() {
             self.0.push(Knot::Ahead(0));
         }
         while self.count() < most {
             let Some((way, place)) = self.worst(ways, enough) else { return };
-            let best = options(&ways[way], place).into_iter().filter(|own| !self.0.contains(own));
+            let best =
+                options(&ways[way].own, place).into_iter().filter(|own| !self.0.contains(own));
             let scored = best.map(|own| {
                 let with = Self(self.0.iter().copied().chain([own]).collect());
                 (with.score(ways), own)
@@ -78,9 +86,9 @@ impl Knots {
     }
 
     /// The way and the row that is bounded worst, by more than `enough`.
-    fn worst(&self, ways: &[Future], enough: f64) -> Option<(usize, usize)> {
-        let each = ways.iter().enumerate().flat_map(|(way, future)| {
-            let bounds = self.bounds(future);
+    fn worst(&self, ways: &[Way], enough: f64) -> Option<(usize, usize)> {
+        let each = ways.iter().enumerate().flat_map(|(way, own)| {
+            let bounds = self.bounds(own);
             bounds.into_iter().map(move |(place, bound)| ((way, place), bound))
         });
         let worst = each.max_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -88,15 +96,24 @@ impl Knots {
     }
 
     /// The sum of the worst bounds of all ways.
-    fn score(&self, ways: &[Future]) -> f64 {
-        let of_way = |future: &Future| {
-            self.bounds(future).into_iter().map(|(_, bound)| bound.ln()).fold(0.0, f64::max)
+    fn score(&self, ways: &[Way]) -> f64 {
+        let of_way = |way: &Way| {
+            self.bounds(way).into_iter().map(|(_, bound)| bound.ln()).fold(0.0, f64::max)
         };
         ways.iter().map(of_way).sum()
     }
 
-    fn bounds(&self, future: &Future) -> Vec<(usize, f64)> {
-        let rows = self.rows(future);
+    fn bounds(&self, way: &Way) -> Vec<(usize, f64)> {
+        let future = &way.own;
+        let rows = match &way.beside {
+            None => self.rows(future),
+            Some(beside) => {
+                let [below, above] = beside.each_ref().map(|future| self.rows(future));
+                let middle =
+                    |(a, b): (&Row, &Row)| a.iter().zip(b).map(|(a, b)| 0.5 * (a + b)).collect();
+                below.iter().zip(&above).map(middle).collect()
+            }
+        };
         let hull = Hull::new(rows[0].len(), rows.iter());
         let mut basis = hull.basis();
         let places = looked(future.held.len(), future.rows.len());
@@ -124,7 +141,8 @@ fn options(future: &Future, place: usize) -> Vec<Knot> {
 /// The rows of a way at which a choice looks: those of held gains, evenly, and closer near both ends.
 fn looked(held: usize, rows: usize) -> Vec<usize> {
     let mut all: Vec<_> = (0..held).collect();
-    let mut places: Vec<usize> = (0..=LOOKED).map(|i| i * rows.saturating_sub(1) / LOOKED).collect();
+    let mut places: Vec<usize> =
+        (0..=LOOKED).map(|i| i * rows.saturating_sub(1) / LOOKED).collect();
     let mut near = 1;
     while near < rows / LOOKED {
         places.extend([near, rows - 1 - near]);

@@ -24,7 +24,7 @@ use crate::linear::{Matrix, Piece, Schedule};
 use crate::parameter::Precision;
 use closed::Closed;
 use hull::{Basis, Hull};
-use knots::Knots;
+use knots::{Knots, Way};
 use witness::Witness;
 
 /// Nodes for each factor of 2 in the samples to go.
@@ -36,8 +36,8 @@ const ENOUGH: f64 = 1.03;
 /// Rows beyond the order that are kept at most.
 const MORE: usize = 9;
 
-/// Parts of a piece at whose ends its rows are chosen.
-const LOOKED: u32 = 4;
+/// Cells of a piece for which its rows are chosen.
+const LOOKED: usize = 4;
 
 /// Roundings of each term of a bound: of the state, its row, the interpolation, the sum, the limit.
 const EACH: f64 = 8.0;
@@ -99,11 +99,14 @@ struct Examined {
 }
 
 impl Tabled {
-    /// The bounds of a plan; `None` where the held gains are not stable.
+    /// The bounds of a plan; `None` where the held gains are not stable, or are all that there is.
     pub(super) fn new(plan: &Plan<'_>) -> Option<Self> {
         let pair = (plan.phi, plan.gamma);
         let closed = Closed::new(pair, plan.schedule, plan.held, plan.precision)?;
         let (rest, longest) = (closed.rest, plan.schedule.samples);
+        if longest <= rest + 1 {
+            return None;
+        }
         let (pieces, nodes) = pieces(rest + 1, longest);
         let mut all = Self {
             nodes,
@@ -156,8 +159,16 @@ impl Tabled {
         let most = closed.order() + MORE;
         let future = |left: u32| closed.future(signal, held, left);
         let mut of_pieces: Vec<Knots> = Vec::with_capacity(self.pieces.len());
-        let ways = |index: usize| -> Vec<_> {
-            self.looked(index).into_iter().map(future).collect()
+        let ways = |index: usize| -> Vec<Way> {
+            let spacing = self.pieces[index].spacing;
+            let way = |left: u32| match spacing {
+                1 => Way { own: future(left), beside: None },
+                _ => {
+                    let beside = Some([left, left + spacing].map(future));
+                    Way { own: future((left + spacing / 2).max(self.rest + 1)), beside }
+                }
+            };
+            self.looked(index).into_iter().map(way).collect()
         };
         for index in 0..self.pieces.len() {
             let mut knots = Knots::default();
@@ -182,14 +193,14 @@ impl Tabled {
         Rows { signal, count, table }
     }
 
-    /// The samples to go of a piece for which its rows are chosen: evenly, and closer where they are few.
+    /// The nodes of a piece for which its rows are chosen, or behind which: evenly, and all where they are few.
     fn looked(&self, index: usize) -> Vec<u32> {
-        let (from, to) = (self.pieces[index].from.max(self.rest + 1), self.end(index));
-        let mut all: Vec<_> = (0..=LOOKED).map(|i| from + (to - from) * i / LOOKED).collect();
-        all.extend((from..to).take_while(|left| *left < 2 * PER));
-        all.sort_unstable();
-        all.dedup();
-        all
+        let nodes: Vec<_> = self.nodes_of(index).collect();
+        let last = nodes.len() - 1;
+        match self.pieces[index].spacing {
+            1 => nodes,
+            _ => nodes[..last].iter().copied().step_by(last.div_ceil(LOOKED)).collect(),
+        }
     }
 
     /// The samples to go behind which a piece ends.

@@ -1,6 +1,5 @@
 //! The bounds against every row of the way, one by one.
 
-
 use super::closed::Closed;
 use super::hull::Hull;
 use super::*;
@@ -28,7 +27,11 @@ fn plants() -> Vec<(&'static str, Pair)> {
         ("damped", pair(&[&[0, 1, 0], &[-100, -2, 1], &[0, 0, -3]], &[0, 0, 1], (1, 100))),
         (
             "two masses",
-            pair(&[&[0, 1, 0, 0], &[-90, 0, 90, 0], &[0, 0, 0, 1], &[45, 0, -45, 0]], &[0, 1, 0, 0], (1, 100)),
+            pair(
+                &[&[0, 1, 0, 0], &[-90, 0, 90, 0], &[0, 0, 0, 1], &[45, 0, -45, 0]],
+                &[0, 1, 0, 0],
+                (1, 100),
+            ),
         ),
     ]
 }
@@ -51,7 +54,8 @@ fn rows_bound_every_signal_on_the_way() {
             };
             let table = Tabled::new(&plan).expect("bounds");
             assert!(table.growth < 1.5, "{name} {held}: {}", table.growth);
-            let closed = Closed::new((&pair.phi, &pair.gamma), &schedule, held, Precision::F64).expect("a loop");
+            let closed = Closed::new((&pair.phi, &pair.gamma), &schedule, held, Precision::F64)
+                .expect("a loop");
             for rows in &table.signals {
                 let own = Span::new(
                     &closed.signal(rows.signal, closed.rest),
