@@ -84,13 +84,17 @@ impl Builder<'_> {
         body.extend(limits_set);
         let tried = Expr::local("samples").count_left(Expr::Count(spare));
         body.push(Statement::Let(TRIED.to_owned(), Shape::Count, tried));
-        body.extend(fits(&chains, &limits, false));
         let longest = longest(&chains, self.spec.precision);
-        let tests = vec![
+        let mut tests = vec![
             Test::CountLess(Expr::Count(rest(&chains)), Expr::local(TRIED)),
             Test::CountLess(Expr::local(TRIED), Expr::Count(longest + 1)),
-            all_fit(&chains),
         ];
+        if self.spec.schedule().is_some() {
+            // The table has no others.
+            body.push(Statement::Require(Test::All(std::mem::take(&mut tests)), Status::Soon));
+        }
+        body.extend(fits(&chains, &limits, false));
+        tests.push(all_fit(&chains));
         body.push(Statement::Require(Test::All(tests), Status::Soon));
         body
     }

@@ -191,6 +191,7 @@ fn plans_that_no_table_bounds_are_refused() {
     let own = text(DESIGNS[0], "late = \"extend\"");
     refused(&own.replace("\"least-energy\"", "[-4, -5]"), "beside A and B and a law of poles");
     refused(&own.replace("u_max = 5", "u_max = inf").replace("0.6", "inf"), "without a limit");
-    let follows = own.replace("[plant]", "reference = \"input\"\n[model]\noutput = [1, 0]\n[plant]");
+    let follows =
+        own.replace("[plant]", "reference = \"input\"\n[model]\noutput = [1, 0]\n[plant]");
     refused(&follows, "the u that it will need is not known");
 }
