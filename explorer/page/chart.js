@@ -2,16 +2,21 @@
 
 import { drawn, element, short } from "dom";
 
-const HEIGHT = 190;
+const HEIGHT = 210;
 const MARGIN = { left: 58, right: 12, top: 26, bottom: 34 };
 /** Most decades of a logarithmic axis. */
 const DECADES = 14;
 
-/** A figure of a panel `{name, bounds, of, steps}` of all runs, `width` pixels wide. */
-export function chart(panel, runs, { width, logarithmic, read }) {
+/**
+ * A figure, `width` pixels wide, of a panel: `{name, of, lines, bounds, logarithmic, held}`, where `of(run)` are the values of a
+ * run that the readout tells and `lines(run)` further curves `{name, kind, values}`.
+ */
+export function chart(panel, runs, { width, read }) {
+  const { logarithmic } = panel;
   const shown = (y) => (logarithmic ? (y ? Math.log10(Math.abs(y)) : NaN) : y);
+  const curves = runs.flatMap((run) => [{ run, kind: "", values: panel.of(run) }, ...panel.lines(run).map((line) => ({ run, ...line }))]);
   const across = [Math.min(...runs.map((run) => run.t[0])), Math.max(...runs.map(end))];
-  const up = range(panel, runs, shown, logarithmic);
+  const up = range(curves, shown, logarithmic);
   const inner = { width: width - MARGIN.left - MARGIN.right, height: HEIGHT - MARGIN.top - MARGIN.bottom };
   const toX = (t) => MARGIN.left + (inner.width * (t - across[0])) / (across[1] - across[0] || 1);
   const toY = (y) => MARGIN.top + (inner.height * (up[1] - y)) / (up[1] - up[0]);
@@ -23,17 +28,22 @@ export function chart(panel, runs, { width, logarithmic, read }) {
     ]),
     ...steps(across, width < 340 ? 4 : 6).map((t) => drawn("text", { x: toX(t), y: HEIGHT - 18, "text-anchor": "middle" }, short(t, 4))),
   ];
-  const bounds = panel.bounds.filter(Number.isFinite).map((bound) => (logarithmic ? Math.abs(bound) : bound));
-  const limits = [...new Set(bounds)].filter((bound) => shown(bound) <= up[1] && shown(bound) >= up[0])
-    .map((bound) => drawn("path", { class: "bound", d: `M${MARGIN.left} ${toY(shown(bound))}h${inner.width}` }));
-  const lines = runs.map((run) => drawn("path", { class: `line run${run.index % 6}`, d: path(run, panel, shown, toX, toY, inside) }));
-  const ends = [...new Set(runs.map((run) => run.t0 + run.tau))].map((t) => drawn("path", { class: "deadline", d: `M${toX(t)} ${MARGIN.top}v${inner.height}` }));
-  const peak = Math.max(...panel.of(runs[0]).map((y) => Math.abs(y ?? NaN)).filter(Number.isFinite));
-  const told = `${panel.name} over time in s: from ${short(panel.of(runs[0])[0])}, largest size ${short(peak)}, last ${short(panel.of(runs[0]).at(-1))}`;
+  const bounds = panel.bounds.filter(({ at }) => Number.isFinite(at) && at !== null)
+    .map((bound) => ({ ...bound, at: shown(bound.at) })).filter(({ at }) => at <= up[1] && at >= up[0]);
+  const limits = bounds.flatMap(({ at, name }) => [
+    drawn("path", { class: "bound", d: `M${MARGIN.left} ${toY(at)}h${inner.width}` }),
+    drawn("text", { class: "of-bound", x: width - MARGIN.right - 2, y: toY(at) - 4, "text-anchor": "end" }, name),
+  ]);
+  const lines = curves.map(({ run, kind, values }) => drawn("path", { class: `line run${run.index % 6} ${kind}`.trim(), d: path(run, values, panel, shown, toX, toY, inside) }));
+  const instants = [...new Set(runs.flatMap((run) => run.deadlines))];
+  const ends = instants.map((t) => drawn("path", { class: "deadline", d: `M${toX(t)} ${MARGIN.top}v${inner.height}` }));
+  const own = panel.of(runs[0]);
+  const peak = Math.max(...own.map((y) => Math.abs(y ?? NaN)).filter(Number.isFinite));
+  const told = `${panel.name} over time in s: from ${short(own[0])}, largest size ${short(peak)}, last ${short(own.at(-1))}`;
   const cursor = drawn("path", { class: "cursor" });
   const svg = drawn("svg", { viewBox: `0 0 ${width} ${HEIGHT}`, width, height: HEIGHT, role: "img", "aria-label": told },
-    drawn("text", { class: "name", x: MARGIN.left, y: 16 }, logarithmic ? `|${panel.name}|` : panel.name),
-    drawn("text", { x: width - MARGIN.right, y: 16, "text-anchor": "end" }, "dotted: deadline"),
+    drawn("text", { class: "name", x: MARGIN.left, y: 16 }, panel.name),
+    drawn("text", { x: width - MARGIN.right, y: 16, "text-anchor": "end" }, panel.key),
     drawn("text", { x: MARGIN.left + inner.width / 2, y: HEIGHT - 3, "text-anchor": "middle" }, "t in s"),
     ...mesh, ...ends, ...limits, ...lines, cursor);
   svg.addEventListener("pointermove", (event) => {
@@ -41,12 +51,13 @@ export function chart(panel, runs, { width, logarithmic, read }) {
     const t = across[0] + ((event.clientX - box.left - MARGIN.left) / inner.width) * (across[1] - across[0]);
     if (t < across[0] || t > across[1]) return;
     cursor.setAttribute("d", `M${toX(t)} ${MARGIN.top}v${inner.height}`);
-    read(`t = ${short(t)} s: ${runs.map((run) => `${run.label}: ${panel.name} = ${short(panel.of(run)[before(run.t, t)])}`).join("; ")}`);
+    const at = ({ run, name, values }) => `${run.label}: ${name ?? panel.name} = ${short(values[before(run.t, t)])}`;
+    read(`t = ${short(t)} s: ${curves.map(at).join("; ")}`);
   });
   return element("figure", {}, svg);
 }
 
-const end = (run) => Math.max(run.t.at(-1), run.t0 + run.tau);
+const end = (run) => Math.max(run.t.at(-1), ...run.deadlines);
 
 /** The last index at which time is not after `t`. */
 function before(times, t) {
@@ -59,10 +70,10 @@ function before(times, t) {
   return low;
 }
 
-function range(panel, runs, shown, logarithmic) {
+function range(curves, shown, logarithmic) {
   let [low, high] = logarithmic ? [Infinity, -Infinity] : [0, 0];
-  for (const run of runs) {
-    for (const y of panel.of(run)) {
+  for (const { values } of curves) {
+    for (const y of values) {
       const at = shown(y);
       if (y === null || !Number.isFinite(at)) continue;
       low = Math.min(low, at);
@@ -87,8 +98,7 @@ function steps([low, high], count, whole = false) {
 
 const power = (y) => (y >= -2 && y <= 4 ? short(10 ** y) : `1e${Math.round(y)}`);
 
-function path(run, panel, shown, toX, toY, inside) {
-  const values = panel.of(run);
+function path(run, values, panel, shown, toX, toY, inside) {
   let d = "";
   let pen = "M";
   values.forEach((value, i) => {
@@ -99,7 +109,7 @@ function path(run, panel, shown, toX, toY, inside) {
     }
     const [x, at] = [toX(run.t[i]).toFixed(1), toY(inside(y)).toFixed(1)];
     // An input that is held goes on level before it changes.
-    d += panel.steps && run.held && pen === "L" ? `H${x}V${at}` : `${pen}${x} ${at}`;
+    d += panel.held && run.held && pen === "L" ? `H${x}V${at}` : `${pen}${x} ${at}`;
     pen = "L";
   });
   return d;

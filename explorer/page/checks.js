@@ -31,22 +31,23 @@ function sentence(text) {
 export function show(answer) {
   const [kind, text] = verdict(answer);
   Object.assign($("verdict"), { className: kind, textContent: text });
-  $("verdicts").replaceChildren(...(answer.checks ?? []).flatMap(one), ...margins(answer));
+  const opened = new Set([...document.querySelectorAll("#verdicts details[open]")].map((one) => one.dataset.name));
+  $("verdicts").replaceChildren(...(answer.checks ?? []).flatMap((check) => one(check, opened)));
+  $("checks").hidden = !answer.checks;
   $("cost").textContent = cost(answer);
   $("told").hidden = !answer.design;
   $("command").textContent = answer.design ? `ptc-codegen emit --lang c ${answer.design.command}` : "";
 }
 
-function one({ name, verdict: word, summary, details, fix }) {
-  const more = [...details, ...(fix ? [`Fix: ${fix}`] : [])].map((text) => element("li", {}, text));
-  return [
+/** A check: what fails is open, what holds says so in a line. */
+function one({ name, verdict: word, summary, details, fix }, opened) {
+  const more = details.map((text) => element("li", {}, text));
+  const mend = fix ? [element("p", { class: "fix" }, `Fix: ${fix}`)] : [];
+  const open = opened.has(name);
+  const rest = more.length ? [element("details", { "data-name": name, open }, element("summary", {}, more.length === 1 ? "1 detail" : `${more.length} details`), element("ul", {}, ...more))] : [];
+  return [element("div", {},
     element("dt", {}, name, " ", element("span", { class: `badge ${CLASSES[word]}` }, word)),
-    element("dd", {}, element("p", {}, summary), ...(more.length ? [element("ul", {}, ...more)] : [])),
-  ];
-}
-
-function margins({ verdict: found }) {
-  return found ? [element("dt", {}, "margins"), element("dd", {}, element("p", {}, found.margins))] : [];
+    element("dd", {}, element("p", {}, summary), ...mend, ...rest))];
 }
 
 function cost(answer) {

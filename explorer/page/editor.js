@@ -68,7 +68,11 @@ export function given(key) {
 /** Gives a key another value, or adds it before the first table. */
 export function give(key, value) {
   if (!fresh) return;
-  if (keys[key]) return replace(quoted(keys[key].value), value);
+  if (keys[key]) {
+    const old = area.value.slice(...keys[key].value);
+    replace(quoted(keys[key].value), value);
+    return revise(key, old, value);
+  }
   const tables = area.value.search(/^[ \t]*\[/m);
   const end = tables < 0 ? area.value.length : tables;
   const start = area.value.slice(0, end).trimEnd().length;
@@ -96,6 +100,59 @@ export function rename(from, to, value) {
   delete keys[from];
   replace([start, quoted(at.value)[1]], `${to} = ${value}`);
   keys[to] = { key: [start, start + to.length], value: [start + to.length + 3, start + to.length + 3 + value.length] };
+}
+
+/** Keys in seconds, of which comments speak with their unit. */
+const TIMES = ["tau", "sample_time", "eps", "observer_eps"];
+
+/** A number of its own in a comment, not in a name or a unit such as 1/kg. */
+const NUMBER = /[\s=(]\d(?!\/)/;
+
+/** Keeps comments true: those with the old value of a time get the new one, and a comment beside the key that has other numbers says
+ * for which value they hold. */
+function revise(key, old, value) {
+  const [from, to] = [Number(old), Number(value)];
+  for (const [start, end] of comments()) {
+    const text = area.value.slice(start, end);
+    const beside = keys[key].value[1] < start && !area.value.slice(keys[key].value[1], start).includes("\n");
+    let next = text;
+    if (TIMES.includes(key)) {
+      next = text.replace(/(\d+(?:\.\d+)?(?:e[-+]?\d+)?)(\s?)(ms|s)\b/g, (all, number, space, unit) => {
+        const scale = unit === "ms" ? 1e-3 : 1;
+        return Math.abs(Number(number) * scale - from) <= 1e-9 * from ? `${Number((to / scale).toPrecision(6))}${space}${unit}` : all;
+      });
+    }
+    if (beside && next === text && NUMBER.test(text) && !text.startsWith("# with ")) {
+      next = `# with ${old}: ${text.replace(/^#\s*/, "")}`;
+    }
+    if (next !== text) replace([start, end], next);
+  }
+}
+
+/** The places of comments, the last one first: a change of one moves none that is still to come. */
+function comments() {
+  const places = [];
+  const text = area.value;
+  let at = 0;
+  for (const line of text.split("\n")) {
+    const start = hash(line);
+    if (start >= 0) places.unshift([at + start, at + line.length]);
+    at += line.length + 1;
+  }
+  return places;
+}
+
+/** Where the comment of a line starts, outside of strings; -1 without one. */
+function hash(line) {
+  let quote = "";
+  for (let i = 0; i < line.length; i += 1) {
+    const c = line[i];
+    if (quote) {
+      if (c === quote) quote = "";
+    } else if (c === '"' || c === "'") quote = c;
+    else if (c === "#") return i;
+  }
+  return -1;
 }
 
 /** A place within quotes is that of what is quoted: the place with the quotes. */

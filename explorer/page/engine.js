@@ -1,27 +1,25 @@
 // The generator in a worker: the newest request is answered, older ones are dropped.
 
 /** Longest time for an answer, in ms. */
-const LIMIT = 20000;
+const LIMIT = 20_000;
+/** Time after which an answer is said to be awaited, in ms. */
+const PATIENCE = 150;
 
 const text = (id) => document.getElementById(id).textContent;
 
-const bytes = (id) => Uint8Array.from(atob(text(id)), (c) => c.charCodeAt(0));
-
-async function gunzipped(packed) {
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
-}
-
-/** Answers requests: `ask(request)`, `onanswer(answer, request)`. */
+/** Answers requests: `ask(request)`, `onanswer(answer, request)`; `onbusy(text)` says what is awaited, an empty text that nothing is. */
 export class Engine {
-  #unpack = gunzipped(bytes("unpack"));
   #worker = null;
   #running = null;
   #next = null;
   #timer = 0;
+  #patience = 0;
+  #answered = false;
 
-  constructor(onanswer) {
+  constructor(onanswer, onbusy) {
     this.onanswer = onanswer;
+    this.onbusy = onbusy;
+    this.#start();
   }
 
   ask(request) {
@@ -33,23 +31,23 @@ export class Engine {
     return !this.#running && !this.#next;
   }
 
-  async #send() {
+  #send() {
     const request = this.#next;
     this.#running = request;
     this.#next = null;
-    if (!this.#worker) await this.#start();
+    if (!this.#worker) this.#start();
     this.#timer = setTimeout(() => this.#stop(), LIMIT);
+    this.#patience ||= setTimeout(() => this.onbusy(this.#answered ? "Computing" : "Starting the generator"), this.#answered ? PATIENCE : 0);
     this.#worker.postMessage({ request: JSON.stringify(request) });
   }
 
-  async #start() {
-    const unpack = await this.#unpack;
+  #start() {
     const url = URL.createObjectURL(new Blob([text("worker")], { type: "text/javascript" }));
     this.#worker = new Worker(url);
     URL.revokeObjectURL(url);
     this.#worker.onmessage = ({ data }) => this.#end(JSON.parse(data.answer));
     this.#worker.onerror = (event) => this.#end({ fault: event.message });
-    this.#worker.postMessage({ unpack, packed: bytes("engine") });
+    this.#worker.postMessage({ packed: text("engine") });
   }
 
   #stop() {
@@ -63,7 +61,13 @@ export class Engine {
     clearTimeout(this.#timer);
     const request = this.#running;
     this.#running = null;
+    this.#answered = true;
     if (this.#next) this.#send();
+    else {
+      clearTimeout(this.#patience);
+      this.#patience = 0;
+      this.onbusy("");
+    }
     this.onanswer(answer, request);
   }
 }

@@ -41,8 +41,12 @@ function toggle(knob) {
 
 function turn(knob) {
   const at = Number($(`knob-${knob.key}`).value);
-  const value = knob.whole ? at : 10 ** (at / STEPS);
-  editor.give(knob.key, short(value, 3));
+  set(knob.key, knob.whole ? at : 10 ** (at / STEPS));
+}
+
+/** Gives a key a value, as its slider would. */
+export function set(key, value) {
+  editor.give(key, short(value, 3));
   onchange();
 }
 
@@ -55,11 +59,23 @@ export function show(answer) {
     const value = given === null ? NaN : Number(given);
     box.checked = given !== null;
     box.closest(".knob").hidden = knob.timeOnly && given === null && (answer.design?.samples ?? false);
-    range.disabled = !Number.isFinite(value) || (!whole && value <= 0);
-    const text = given === null ? "not set" : Number.isFinite(value) ? `${short(value)} ${unit}` : given;
+    // A key that is not there is added where its slider is moved, from what the run takes for it.
+    const taken = given === null ? assumed(answer, key) ?? knob.start : value;
+    range.disabled = !Number.isFinite(taken) || (!whole && taken <= 0);
+    const known = given === null && assumed(answer, key) !== null ? `${short(taken)} ${unit}, open` : "not set";
+    const units = value === 1 && unit === "samples" ? "sample" : unit;
+    const text = given === null ? known : Number.isFinite(value) ? `${short(value)} ${units}` : given;
+    told.classList.toggle("none", given === null);
     told.textContent = text;
     range.setAttribute("aria-valuetext", `${name} ${text}`);
     if (range.disabled) range.value = Math.round((Number(range.min) + Number(range.max)) / 2);
-    else if (document.activeElement !== range) range.value = whole ? value : Math.round(Math.log10(value) * STEPS);
+    else if (document.activeElement !== range) range.value = whole ? taken : Math.round(Math.log10(taken) * STEPS);
   }
+}
+
+/** The value that the run takes for an open key; null where it takes none. */
+function assumed(answer, key) {
+  const all = answer.runs?.series?.[0]?.assumed ?? [];
+  const own = all.find((text) => text.startsWith(`${key} = `));
+  return own ? Number.parseFloat(own.slice(key.length + 3)) : null;
 }

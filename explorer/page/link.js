@@ -23,9 +23,17 @@ export function read() {
     language: held.get("lang") ?? "c",
     x0: held.get("x0") ?? "",
     seed: Number(held.get("seed") ?? 0),
-    log: held.has("log"),
+    log: held.get("scale") !== "linear",
+    trial: trial(held),
     ...bounded(held.getAll("with")),
   };
+}
+
+/** What a run tries: `try=force:2`, `symbol=drag:0.3`. */
+function trial(held) {
+  const pairs = (name) => held.getAll(name).map((one) => one.split(":")).filter(([key, value]) => key && Number.isFinite(Number(value)));
+  const numbers = (name) => Object.fromEntries(pairs(name).map(([key, value]) => [key, Number(value)]));
+  return { ...numbers("try"), symbols: numbers("symbol") };
 }
 
 /** Writes the state to the address, without a step of history. */
@@ -33,7 +41,10 @@ export function write(state) {
   const held = new URLSearchParams({ design: state.design, lang: state.language });
   if (state.x0) held.set("x0", state.x0);
   if (state.seed) held.set("seed", state.seed);
-  if (state.log) held.set("log", "");
+  if (!state.log) held.set("scale", "linear");
+  const { symbols, ...others } = state.trial;
+  for (const [key, value] of Object.entries(others)) held.append("try", `${key}:${value}`);
+  for (const [key, value] of Object.entries(symbols)) held.append("symbol", `${key}:${value}`);
   for (const mapping of state.overlays) held.append("with", mapping);
   history.replaceState(null, "", `#${held}`);
 }

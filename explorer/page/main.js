@@ -3,18 +3,21 @@
 import { $, download, element } from "dom";
 import { Engine } from "engine";
 import * as checks from "checks";
+import * as diagram from "diagram";
 import * as editor from "editor";
+import * as figures from "figures";
 import * as knobs from "knobs";
 import * as link from "link";
 import * as output from "output";
 import * as plane from "plane";
 import * as runs from "runs";
+import * as trials from "trials";
 
 /** Pause after a key, in ms, before the generator is asked. */
 const PAUSE = 120;
 
 const known = JSON.parse($("known").textContent);
-const engine = new Engine(show);
+const engine = new Engine(show, busy);
 let timer = 0;
 
 function request() {
@@ -27,7 +30,15 @@ function request() {
     x0: $("x0").value,
     seed: Number($("seed").value) || 0,
     overlays,
+    trial: trials.request(),
   };
+}
+
+/** Says that an answer is awaited, which the picture of the last one shows too. */
+function busy(text) {
+  $("busy").textContent = text;
+  document.body.classList.toggle("busy", text !== "");
+  document.querySelector("main").setAttribute("aria-busy", String(text !== ""));
 }
 
 function say(text) {
@@ -62,6 +73,9 @@ function shown(answer, asked) {
   knobs.show(answer);
   plane.show(answer);
   if (asked.language === output.language()) output.show(answer);
+  trials.show(answer);
+  figures.show(answer);
+  diagram.show(answer);
   runs.show(answer);
   document.body.classList.toggle("stale", !answer.runs);
   if (answer.runs) $("x0").placeholder = (answer.runs.x0 ?? []).join(", ");
@@ -73,6 +87,7 @@ function load(state) {
   $("x0").value = state.x0;
   $("seed").value = state.seed;
   $("log").checked = state.log;
+  trials.put(state.trial);
   for (const mapping of state.overlays) overlay(mapping).checked = true;
   say(link.leftOut(state.leftOut ?? 0));
   engine.ask(request());
@@ -92,6 +107,8 @@ function start() {
   output.start(ask);
   knobs.start(askSoon);
   plane.start(ask);
+  trials.start(askSoon);
+  figures.start((tau) => knobs.set("tau", tau));
   known.mappings.forEach(overlay);
   const own = element("input", { "aria-label": "Another mapping", placeholder: "another, for example power(a=2, m=1)", spellcheck: "false" });
   own.addEventListener("change", () => {
@@ -108,6 +125,7 @@ function start() {
     const example = examples.find(({ name }) => name === $("examples").value);
     if (!example) return;
     $("x0").value = example.x0;
+    trials.clear();
     editor.put(example.text);
     ask();
   });
@@ -135,7 +153,7 @@ function start() {
     width = contentRect.width;
   }).observe($("charts"));
   const first = examples.find(({ name }) => name === known.first);
-  load(link.read() ?? { design: first.text, language: "c", x0: first.x0, seed: 0, log: false, overlays: [] });
+  load(link.read() ?? { design: first.text, language: "c", x0: first.x0, seed: 0, log: true, trial: { symbols: {} }, overlays: [] });
 }
 
 start();

@@ -1,11 +1,15 @@
 // The emitted files and the formulas, in tabs.
 
 import { $, download, element } from "dom";
+import { sheet } from "code";
+import { formulas } from "formulas";
 
 const FORMULAS = "formulas";
 const TITLES = { c: "C", rust: "Rust", cpp: "C++", matlab: "MATLAB", python: "Python", st: "Structured Text", plcopen: "PLCopen XML", [FORMULAS]: "Formulas" };
 
 let chosen = "c";
+/** What is shown, as text: other parameters often leave the code as it is. */
+let shown = "";
 let onchoose = () => {};
 
 /** The language of the chosen tab; of the formulas, none. */
@@ -50,14 +54,21 @@ function move(event) {
 /** Shows what the answer holds for the chosen tab. */
 export function show(answer) {
   const stale = (answer.diagnostics ?? []).length > 0;
+  if (stale || chosen === FORMULAS) shown = "";
   if (stale) {
     const told = element("p", { class: "hint" }, "No output: the design has errors, which are listed under it.");
     return $("files").replaceChildren(told);
   }
-  if (chosen === FORMULAS) {
-    return $("files").replaceChildren(element("pre", {}, answer.formulas.join("\n")));
-  }
-  $("files").replaceChildren(...(answer.files ?? []).map(file));
+  if (chosen === FORMULAS) return $("files").replaceChildren(formulas(answer));
+  const files = answer.files ?? [];
+  const now = JSON.stringify([chosen, files]);
+  if (now === shown) return;
+  shown = now;
+  // The code is what one looks for; what declares it comes after.
+  const declares = ({ name }) => /\.(h|hpp)$/.test(name) && files.length > 1;
+  const open = [...$("files").querySelectorAll("details.fold[open]")].length > 0;
+  $("files").replaceChildren(...[...files].sort((a, b) => declares(a) - declares(b)).map(file));
+  if (open) for (const fold of $("files").querySelectorAll("details.fold")) fold.open = true;
 }
 
 function file({ name, text }) {
@@ -67,5 +78,5 @@ function file({ name, text }) {
     element("div", { class: "head" }, element("h3", {}, name), element("span", { class: "hint" }, `${lines} lines`),
       element("button", { type: "button", "aria-label": `Copy ${name}`, onclick: copy }, "Copy"),
       element("button", { type: "button", "aria-label": `Download ${name}`, onclick: () => download(name, text) }, "Download")),
-    element("pre", {}, text));
+    sheet(text, chosen));
 }

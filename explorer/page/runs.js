@@ -1,12 +1,13 @@
-// The trajectories: a chart for each state and each input, a legend, numbers.
+// The trajectories: a chart for each quantity, a legend, numbers.
 
 import { $, element, short } from "dom";
 import { chart } from "chart";
+import { atDeadline, panels } from "panels";
 
 /** Instants in the table of numbers. */
 const SHOWN = 12;
 /** Least width of a chart and the gap beside it, in pixels. */
-const WIDTH = 300;
+const WIDTH = 280;
 const GAP = 14;
 
 let answered = null;
@@ -23,32 +24,37 @@ export function draw() {
   if (!answered) return;
   const all = answered.series ?? [];
   const drawn = all.map((one, index) => ({ ...one, index })).filter((one) => one.t);
-  $("legend").replaceChildren(...(answered.problem ? [element("li", { class: "problem" }, answered.problem)] : all.map(entry)));
-  const by = $("log").checked;
-  const panels = drawn.length === 0 ? [] : [
-    ...answered.states.map((name, j) => ({ name, bounds: [answered.x_max[j], answered.x_max[j] && -answered.x_max[j]], of: (one) => one.x[j] })),
-    ...answered.inputs.map((name, k) => ({ name, bounds: [drawn[0].u_max[k], drawn[0].u_min[k]], of: (one) => one.u[k], steps: true })),
-  ];
-  const space = $("charts").clientWidth;
-  const columns = Math.max(1, Math.min(panels.length, Math.floor((space + GAP) / (WIDTH + GAP))));
-  const width = Math.floor((space - GAP * (columns - 1)) / columns);
-  $("charts").replaceChildren(...panels.map((panel) => chart(panel, drawn, { width, logarithmic: by, read })));
+  $("legend").replaceChildren(...(answered.problem ? [element("li", { class: "problem" }, `Not simulated: ${answered.problem}`)] : all.map(entry)));
+  const shown = drawn.length ? panels(answered, drawn, $("log").checked) : [];
+  $("charts").replaceChildren(...rows(shown, $("charts").clientWidth).flatMap(({ row, width }) => row.map((panel) => chart(panel, drawn, { width, read }))));
   $("readout").textContent = "";
   $("numbers").replaceChildren(...(drawn.length ? [table(drawn[0])] : []));
+}
+
+/** Panels in rows, each of which fills the space. */
+function rows(shown, space) {
+  const most = Math.max(1, Math.floor((space + GAP) / (WIDTH + GAP)));
+  const count = Math.ceil(shown.length / most);
+  const at = (row) => Math.round((row * shown.length) / count);
+  return Array.from({ length: count }, (_, i) => shown.slice(at(i), at(i + 1)))
+    .map((row) => ({ row, width: Math.floor((space - GAP * (row.length - 1)) / row.length) }));
 }
 
 /** What a run came to, in a line. */
 function entry(one, index) {
   const name = element("strong", {}, one.label);
   if (one.problem) return element("li", { class: "problem" }, name, ` not simulated: ${one.problem}`);
+  const { symbol, values } = atDeadline(answered, one);
   const parts = [
-    `|x| at the deadline ${short(Math.max(...one.end.x.map((x) => Math.abs(x ?? NaN))), 3)}`,
+    `|${symbol}| at the deadline ${short(Math.max(...values), 3)}`,
     ...answered.inputs.map((name, k) => `peak |${name}| ${short(one.peak[k], 3)}`),
   ];
   if (one.saturated > 0) parts.push(`saturated for ${short(one.saturated, 3)} s`);
   if (one.failed) parts.push(`step returns ${one.failed.status} at ${short(one.failed.t, 4)} s`);
   if (one.refused_by.length) parts.push(`refused by ${one.refused_by.join(", ")}`);
-  if (one.assumed.length) parts.push(`with ${one.assumed.join(", ")}`);
+  if (one.deadlines.length > 1) parts.push(`deadlines at ${one.deadlines.map((t) => short(t, 4)).join(", ")} s`);
+  if (answered.tried.length) parts.push(`with ${answered.tried.join(", ")}`);
+  if (one.assumed.length) parts.push(`the design leaves open, and this run takes: ${one.assumed.join(", ")}`);
   if (one.every > 1) parts.push(`every ${one.every}th sample is drawn`);
   parts.push(one.held ? "sampled, u held" : "continuous: give sample_time for the sampled loop");
   return element("li", { class: `run run${index % 6}` }, name, ` ${parts.join("; ")}`);

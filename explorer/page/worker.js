@@ -1,5 +1,4 @@
-// Unpacks the generator and runs it: WASI commands, one instance for each input.
-"use strict";
+// Runs the generator that `unpack.js` and `restore.js` before it unpack: a WASI command, an instance for each request.
 
 const SUCCESS = 0;
 const NOT_SUPPORTED = 58;
@@ -66,10 +65,18 @@ async function run(module, input) {
   return new Blob(written[1]);
 }
 
+/** The bytes of a text in base64. */
+function bytes(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const letters = atob(text);
+  const all = new Uint8Array(letters.length);
+  for (let i = 0; i < all.length; i += 1) all[i] = letters.charCodeAt(i);
+  return all;
+}
+
 /** The generator from what is packed. */
-async function unpacked({ unpack, packed }) {
-  const module = await run(await WebAssembly.compile(unpack), packed);
-  return WebAssembly.compile(await module.arrayBuffer());
+async function generator(packed) {
+  return WebAssembly.compile(restored(unpacked(bytes(packed))));
 }
 
 /** The answer to a request, or a fault. */
@@ -83,6 +90,6 @@ async function answer(request) {
 }
 
 onmessage = async ({ data }) => {
-  if (data.packed) engine = unpacked(data);
+  if (data.packed) engine = generator(data.packed);
   else postMessage({ id: data.id, answer: await answer(data.request) });
 };

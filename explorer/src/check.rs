@@ -5,6 +5,8 @@ use ptc_codegen::check::examine::{self, Report};
 use ptc_codegen::request::Spec;
 use serde_json::{Value, json};
 
+use crate::blocks;
+
 /// Describes a design for the page, beside its text.
 pub(crate) fn of_design(spec: &Spec) -> Value {
     json!({
@@ -15,6 +17,7 @@ pub(crate) fn of_design(spec: &Spec) -> Value {
         "states": spec.state_names(),
         "inputs": spec.input_names(),
         "command": spec.command(),
+        "loop": blocks::of_loop(spec),
     })
 }
 

@@ -47,6 +47,11 @@ impl<'a> Design<'a> {
         }
     }
 
+    /// What the design says, entry by entry.
+    pub(crate) fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
     /// The same with another mapping.
     pub(crate) fn with_mapping(&self, text: &str) -> Result<(Spec, Option<Plant>), String> {
         let value = ptc_codegen::syntax::parse("mu", text, &mut |_| Place(self.places.len()))

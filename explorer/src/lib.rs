@@ -1,12 +1,15 @@
 //! Answers the requests of the page to the generator: JSON in, JSON out.
 //!
-//! A request is `{"design": TOML, "language": NAME, "x0": NUMBERS, "seed": NUMBER, "overlays": MAPPINGS}`.
+//! A request is `{"design": TOML, "language": NAME, "x0": NUMBERS, "seed": NUMBER, "overlays": MAPPINGS}`, with
+//! `"trial": {"gain": NUMBER, "force": NUMBER, "friction": NUMBER, "symbols": {NAME: NUMBER}}` for another plant.
 //! The answer holds what the commands `emit`, `check` and `simulate` say of the same design; offsets in
 //! the design count UTF-16 units, as a browser does.
 
+mod blocks;
 mod check;
 mod code;
 mod design;
+mod figures;
 mod run;
 
 use ptc_codegen::Accepted;
@@ -45,6 +48,8 @@ fn respond(request: &Value) -> Value {
     answer["fingerprint"] = json!(report.spec.fingerprint());
     answer["chosen"] = report.choices.iter().map(ToString::to_string).collect();
     answer["plane"] = check::plane(&report.spec);
+    answer["figures"] = figures::figures(&report);
+    answer["law"] = figures::law(&report);
     answer["runs"] = run::runs(&design, (&report, plant), request);
     let found = match Accepted::of(report) {
         Err(found) => found,

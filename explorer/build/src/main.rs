@@ -1,5 +1,7 @@
 //! Builds the explorer: the generator as WebAssembly and all that shows it, in one file of HTML.
 
+mod sorted;
+
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -10,7 +12,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{LzmaOptions, LzmaWriter};
 use serde_json::{Map, Value, json};
-use zopfli::{Format, Options};
+use sorted::sorted;
 
 const TARGET: &str = "wasm32-wasip1";
 const PROFILE: &str = "page";
@@ -20,27 +22,39 @@ const DICTIONARY: u32 = 1 << 22;
 
 const PAGE: &str = include_str!("../../page/index.html");
 const STYLE: &str = include_str!("../../page/style.css");
-const WORKER: &str = include_str!("../../page/worker.js");
+
+/// The script of the worker: what unpacks the generator, and what runs it.
+const WORKER: [&str; 3] = [
+    include_str!("../../page/unpack.js"),
+    include_str!("../../page/restore.js"),
+    include_str!("../../page/worker.js"),
+];
 
 /// The modules by the names under which they import each other.
-const MODULES: [(&str, &str); 11] = [
+const MODULES: [(&str, &str); 17] = [
     ("chart", include_str!("../../page/chart.js")),
     ("checks", include_str!("../../page/checks.js")),
+    ("code", include_str!("../../page/code.js")),
+    ("diagram", include_str!("../../page/diagram.js")),
     ("dom", include_str!("../../page/dom.js")),
     ("editor", include_str!("../../page/editor.js")),
     ("engine", include_str!("../../page/engine.js")),
+    ("figures", include_str!("../../page/figures.js")),
+    ("formulas", include_str!("../../page/formulas.js")),
     ("knobs", include_str!("../../page/knobs.js")),
     ("link", include_str!("../../page/link.js")),
     ("main", include_str!("../../page/main.js")),
     ("output", include_str!("../../page/output.js")),
+    ("panels", include_str!("../../page/panels.js")),
     ("plane", include_str!("../../page/plane.js")),
     ("runs", include_str!("../../page/runs.js")),
+    ("trials", include_str!("../../page/trials.js")),
 ];
 
 /// The example that is there at first.
 const FIRST: &str = "encoder.toml";
 
-/// States at the start of examples, where 1 in the first state is not what they are for.
+/// States at the start of examples, where 1 in the first state is not what they are for and their heads name no other.
 const STARTS: [(&str, &str); 5] = [
     ("drive.toml", "0.1, 0, 0"),
     ("encoder.toml", "0.1, 0"),
@@ -74,13 +88,8 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// The generator as WebAssembly, and what unpacks it, each packed.
-struct Built {
-    engine: Vec<u8>,
-    unpack: Vec<u8>,
-}
-
-fn built(root: &Path, target: &Path) -> Result<Built> {
+/// The generator as WebAssembly, packed.
+fn built(root: &Path, target: &Path) -> Result<Vec<u8>> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
     cargo.args(["build", "--package", "ptc-explorer", "--bins", "--target", TARGET]);
     // A stripped module needs no room at its addresses for a linker that comes later.
@@ -90,11 +99,9 @@ fn built(root: &Path, target: &Path) -> Result<Built> {
     cargo.args(["--profile", PROFILE]).current_dir(root).env("CARGO_TARGET_DIR", target);
     let status = cargo.status().context("cargo cannot be run")?;
     ensure!(status.success(), "cargo build failed; `rustup target add {TARGET}` adds the target");
-    let module = |name: &str| {
-        let path = target.join(TARGET).join(PROFILE).join(name).with_extension("wasm");
-        fs::read(&path).with_context(|| format!("cannot read {}", path.display()))
-    };
-    Ok(Built { engine: by_lzma(&module("engine")?)?, unpack: by_gzip(&module("unpack")?)? })
+    let path = target.join(TARGET).join(PROFILE).join("engine.wasm");
+    let engine = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    by_lzma(&sorted(&engine).context("the generator has an instruction that is not known")?)
 }
 
 /// The designs that a reader begins with, by their names, in groups.
@@ -115,16 +122,30 @@ fn designs(folder: &Path) -> Result<Vec<Value>> {
     paths.sort();
     let example = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let start = STARTS.iter().find(|(example, _)| *example == name).map_or("", |(_, x0)| x0);
-        Ok(json!({ "name": name, "text": fs::read_to_string(path)?, "x0": start }))
+        let text = fs::read_to_string(path)?;
+        let own =
+            STARTS.iter().find(|(example, _)| *example == name).map(|(_, x0)| (*x0).to_owned());
+        let start = own.or_else(|| start(&text)).unwrap_or_default();
+        Ok(json!({ "name": name, "text": text, "x0": start }))
     };
     paths.iter().map(example).collect()
 }
 
-/// Packs a module by LZMA, a quarter shorter than gzip. Its instructions differ in length, so the place of a byte says nothing
+/// The state at the start in the command by which the head of a design shows it.
+fn start(text: &str) -> Option<String> {
+    let (_, rest) = text
+        .lines()
+        .find(|line| line.starts_with('#') && line.contains("--x0"))?
+        .split_once("--x0")?;
+    let numbers = rest[1..].split_whitespace().next()?;
+    Some(numbers.split(',').collect::<Vec<_>>().join(", "))
+}
+
+/// Packs the sorted bytes of a module by LZMA, a third shorter than gzip packs the module. The place of a byte says nothing
 /// of it, but the byte before says much.
 fn by_lzma(bytes: &[u8]) -> Result<Vec<u8>> {
-    let by_bytes = LzmaOptions { lc: 4, lp: 0, pb: 0, ..LzmaOptions::with_preset(9) };
+    let by_bytes =
+        LzmaOptions { lc: 2, lp: 0, pb: 0, nice_len: 273, ..LzmaOptions::with_preset(9) };
     let options = LzmaOptions { dict_size: DICTIONARY, ..by_bytes };
     let size = u64::try_from(bytes.len())?;
     let mut writer = LzmaWriter::new_use_header(Vec::new(), &options, Some(size))?;
@@ -132,16 +153,8 @@ fn by_lzma(bytes: &[u8]) -> Result<Vec<u8>> {
     Ok(writer.finish()?)
 }
 
-/// Packs by gzip, which a browser unpacks, as short as it gets: a page is packed once and loaded often. Its head holds no
-/// time, so the same bytes stay the same.
-fn by_gzip(bytes: &[u8]) -> Result<Vec<u8>> {
-    let mut packed = Vec::new();
-    zopfli::compress(Options::default(), Format::Gzip, bytes, &mut packed)?;
-    Ok(packed)
-}
-
 /// The page around a packed generator.
-fn page(built: &Built, examples: &[Value]) -> Result<String> {
+fn page(engine: &[u8], examples: &[Value]) -> Result<String> {
     let known = json!({
         "mappings": MAPPINGS,
         "examples": examples,
@@ -153,10 +166,9 @@ fn page(built: &Built, examples: &[Value]) -> Result<String> {
         ("style", STYLE.to_owned()),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
         ("known", within_script(&known)),
-        ("worker", WORKER.to_owned()),
+        ("worker", WORKER.map(bare).concat()),
         ("imports", within_script(&json!({ "imports": modules }))),
-        ("engine", STANDARD.encode(&built.engine)),
-        ("unpack", STANDARD.encode(&built.unpack)),
+        ("engine", STANDARD.encode(engine)),
     ];
     let mut page = PAGE.to_owned();
     for (name, text) in parts {
@@ -171,8 +183,23 @@ fn page(built: &Built, examples: &[Value]) -> Result<String> {
 fn module(text: &str) -> String {
     // What an address reads in another way, or leaves out.
     let marks = [('%', "%25"), ('#', "%23"), ('\n', "%0A"), ('\t', "%09")];
-    let text = marks.iter().fold(text.to_owned(), |text, (mark, code)| text.replace(*mark, code));
+    let text = marks.iter().fold(bare(text), |text, (mark, code)| text.replace(*mark, code));
     format!("data:text/javascript;charset=utf-8,{text}")
+}
+
+/// A script without the lines that are comments, and without indentation: both are for those who write it.
+fn bare(text: &str) -> String {
+    let mut within = false;
+    let mut kept = String::new();
+    for line in text.lines().map(str::trim) {
+        within |= line.starts_with("/*");
+        if !within && !line.starts_with("//") && !line.is_empty() {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+        within &= !line.ends_with("*/");
+    }
+    kept
 }
 
 /// JSON that no text in it can close the element of.

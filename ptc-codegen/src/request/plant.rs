@@ -41,7 +41,7 @@ impl Spec {
     }
 
     /// The name by which checks speak of a state of the loop, from 0: that of a linear plant, else of the chain.
-    pub(crate) fn state_of_loop(&self, index: usize) -> String {
+    pub fn state_of_loop(&self, index: usize) -> String {
         let named = self.sampled().filter(|own| own.linear.is_some());
         let names = named.and_then(|_| self.written.get("states"));
         let own = names.and_then(|names| names.split(',').nth(index));

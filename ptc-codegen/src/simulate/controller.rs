@@ -64,6 +64,14 @@ impl Controller {
         Ok(Self { emitted: Arc::new(emitted), instance })
     }
 
+    /// Returns the result of a function without arguments, such as `estimate`; `None` where there is none.
+    pub fn result(&mut self, function: &str) -> Option<&[f64]> {
+        let own = self.emitted.code.function(function)?;
+        let handle = self.instance.handle(own.name);
+        self.instance.perform(handle, &[]);
+        Some(self.instance.result(handle))
+    }
+
     /// Returns the spec of the emitted code.
     pub(super) fn spec(&self) -> &Spec {
         &self.emitted.spec

@@ -61,7 +61,7 @@ pub use pieces::{Changes, Piece};
 pub use process::Process;
 pub use sampled::Sampled;
 pub use side::{At, Run, Side};
-pub use tracking::tracking_error;
+pub use tracking::{Tracking, tracking_error};
 pub use values::Values;
 
 use crate::reference::Status;

@@ -11,6 +11,8 @@ import sys
 
 from playwright.sync_api import sync_playwright
 
+import tour
+
 STARTS = 5
 ANSWERED = "body[data-answers]"
 WAIT = 60_000
@@ -21,7 +23,7 @@ NAMELESS = """() => [...document.querySelectorAll("button, input, select, textar
   .map((e) => e.outerHTML.slice(0, 80))"""
 
 FILES = """() => Object.fromEntries([...document.querySelectorAll("#files article")]
-  .map((e) => [e.dataset.file, e.querySelector("pre").textContent]))"""
+  .map((e) => [e.dataset.file, [...e.querySelectorAll("pre.code code")].map((code) => code.textContent).join("")]))"""
 
 ERRORS = """() => [...document.querySelectorAll("#errors li")].map((e) => ({
   code: e.dataset.code, line: e.dataset.line ?? null, column: e.dataset.column ?? null,
@@ -32,7 +34,7 @@ ERRORS = """() => [...document.querySelectorAll("#errors li")].map((e) => ({
 MARKED = """() => [...document.querySelectorAll("#marks mark")]
   .filter((e) => e.getClientRects().length > 0).map((e) => e.textContent)"""
 
-VIEWS = {f"{scheme}.{width}": (width, scheme) for width in (1400, 500, 360) for scheme in ("light", "dark")}
+VIEWS = {f"{scheme}.{width}": (width, scheme) for width in (1400, 800, 390, 360) for scheme in ("light", "dark")}
 
 
 class Page:
@@ -62,11 +64,15 @@ class Page:
 
 
 def started(browser, path, told):
-    """Milliseconds from the start of the navigation to the first answer."""
+    """Milliseconds from the start of the navigation to the first answer, and those of a processor."""
     opened = Page(browser, path, told)
     time = float(opened.page.get_attribute("body", "data-ready"))
+    tools = opened.context.new_cdp_session(opened.page)
+    tools.send("Performance.enable")
+    metrics = tools.send("Performance.getMetrics")["metrics"]
+    busy = 1000 * next(one["value"] for one in metrics if one["name"] == "ProcessTime")
     opened.context.close()
-    return time
+    return time, busy
 
 
 def looked(browser, path, told, pictures):
@@ -142,12 +148,14 @@ def main(binary, path, designs, languages, pictures):
     arguments = ["--no-sandbox", "--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND"]
     with sync_playwright() as play:
         browser = play.chromium.launch(executable_path=shutil.which(binary), args=arguments)
-        told["start"] = min(started(browser, path, told) for _ in range(STARTS))
+        starts = [started(browser, path, told) for _ in range(STARTS)]
+        told["start"], told["busy"] = (min(each) for each in zip(*starts))
         told["views"] = looked(browser, path, told, pictures)
         opened = Page(browser, path, told)
         opened.after(lambda: opened.page.fill("#x0", ""))
         told["designs"] = {design["name"]: typed(opened, design, languages.split(",")) for design in designs}
         told["handled"] = handled(opened, browser, path, told, designs[0])
+        told["tour"] = tour.taken(opened)
         browser.close()
     told["requests"] = sorted(set(told["requests"]))
     told["refused"] = sorted(set(told["refused"]))

@@ -49,6 +49,7 @@ pub use cells::Worst;
 pub(crate) use eps::Candidate;
 pub use eps::{Choice, curve};
 pub(crate) use feasible::feasible;
+pub use feasible::soonest_tau;
 #[cfg(feature = "lab")]
 pub use feasible::{FeasibleSet, Outline, Unlimited};
 pub use gating::{Cost, Gating};

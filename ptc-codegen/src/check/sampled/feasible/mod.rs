@@ -62,6 +62,13 @@ pub(crate) fn feasible(spec: &Spec) -> Vec<String> {
     all
 }
 
+/// Returns the soonest tau found that keeps the limits of all chains from every state of `x0_max`, in s.
+pub fn soonest_tau(spec: &Spec) -> Option<f64> {
+    let designs = spec.designs();
+    let chains = designs.iter().map(Limited::new).collect::<Result<Vec<_>, _>>().ok()?;
+    chains.first()?.tau(earliest(&chains)?)
+}
+
 impl<'a> Limited<'a> {
     fn new(spec: &'a Spec) -> Result<Self, Unlimited> {
         let closed_form = Unlimited {
