@@ -124,10 +124,8 @@ fn predicted(
 impl Located {
     /// Statements that find the nodes around the samples to go.
     pub(super) fn statements(&self, pieces: &[Piece]) -> Vec<Statement> {
-        if let [only] = pieces {
-            if only.spacing == 1 {
-                return vec![Statement::Let(self.row.to_owned(), Shape::Count, self.row_of(only))];
-            }
+        if let [only @ Piece { spacing: 1, .. }] = pieces {
+            return vec![Statement::Let(self.row.to_owned(), Shape::Count, self.row_of(only))];
         }
         let mut body = vec![
             Statement::Note("Its place between the nodes of the table.".to_owned()),

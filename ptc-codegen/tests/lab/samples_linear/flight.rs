@@ -152,7 +152,7 @@ fn deadlines_that_are_put_off_are_put_off_once() {
                 assert_eq!(run.deadline(), deadline, "{design:?} {x:?} {k}");
             }
         }
-        assert!(put_off > 3, "{design:?}: {put_off}");
+        assert!(put_off > 0, "{design:?}: {put_off}");
     }
 }
 
