@@ -3,11 +3,13 @@
 mod event;
 mod group;
 mod plant;
+pub mod table;
 pub mod verify;
 
 pub use event::EVENT_KEYS;
 pub use group::{GROUPS, Group};
 pub use plant::PLANT_KEYS;
+pub use table::{TABLES, TableInfo};
 
 /// A key of a spec.
 #[derive(Clone, Copy, Debug)]
@@ -360,7 +362,7 @@ pub static KEYS: [KeyInfo; 75] = [
     },
     KeyInfo {
         key: "in_flight",
-        meaning: "whether deadline, target and estimates may change while it runs; with clock = samples",
+        meaning: "whether the deadline may change while it runs: with clock = samples target and estimates too, with clock = time tau, which the design leaves out",
         legal: SWITCH,
         example: "true",
     },
