@@ -95,13 +95,14 @@ def product_of_rates(rates):
 
 
 def needed(case, j, sign):
-    """What the bounds before it take of bound j, n for u, on one side: Theorem 2."""
+    """What the bounds before it take of bound j, n for u, on one side: Theorem 2, from states beyond by the tolerance."""
     most, opposite = 0.0, case["below" if sign < 0 else "above"]
-    for i in range(j - 1):
+    for i in range(j):
         if math.isinf(opposite[i]):
             continue
         e = product_of_rates(case["rates"][i : j - 1])
-        most = max(most, sum(e[k] * abs(opposite[j - k]) for k in range(1, j - i)))
+        beyond = math.prod(case["rates"][i:j]) * tolerance(case, i) if j < case["n"] else 0.0
+        most = max(most, beyond + sum(e[k] * (abs(opposite[j - k]) + tolerance(case, j - k)) for k in range(1, j - i)))
     return most
 
 

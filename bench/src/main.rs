@@ -121,7 +121,7 @@ fn execute(line: &CommandLine) -> Result<()> {
         Some(Command::Moves) => {
             let measured = moves::measure()?;
             report::keep("moves", &measured)?;
-            print!("{}", report::moves(measured));
+            print!("{}", report::moves(&measured));
             Ok(())
         }
         Some(Command::Generator) => generator(line),

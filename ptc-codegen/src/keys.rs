@@ -3,11 +3,13 @@
 mod event;
 mod group;
 mod plant;
+pub mod table;
 pub mod verify;
 
 pub use event::EVENT_KEYS;
 pub use group::{GROUPS, Group};
 pub use plant::PLANT_KEYS;
+pub use table::{TABLES, TableInfo};
 
 /// A key of a spec.
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ptc_codegen::diagnostic::explain::{self, CONCEPTS, Concept, Explanation, KINDS};
-use ptc_codegen::keys::CHECKS;
+use ptc_codegen::keys::{CHECKS, KEYS, TABLES};
 use support::words::{stderr, stdout};
 
 fn root() -> PathBuf {
@@ -147,6 +147,69 @@ fn the_glossary_is_the_table_of_concepts() {
         }
     }
     assert!(stdout(&["explain", "Rho"]).starts_with("rho\n"));
+}
+
+#[test]
+fn every_key_and_table_of_a_design_is_explained() {
+    let mut seen = 0;
+    for own in &TABLES {
+        let told = stdout(&["explain", own.name]);
+        assert!(told.contains(&format!("[{}]", own.name)) && told.contains(own.meaning), "{told}");
+        for info in own.keys().chain(own.names()) {
+            assert!(told.contains(&format!("  {} ", info.key)), "{}: {told}", info.key);
+        }
+        for info in own.keys() {
+            let name = format!("{}.{}", own.name, info.key);
+            let told = stdout(&["explain", &name]);
+            assert!(told.contains(info.meaning) && told.contains(info.legal), "{name}: {told}");
+            seen += 1;
+        }
+    }
+    for info in &KEYS {
+        let told = stdout(&["explain", info.key]);
+        assert!(told.contains(info.meaning) && told.contains(info.example), "{}: {told}", info.key);
+        let flag = format!("--{}", info.key.replace('_', "-"));
+        assert!(told.contains(&flag), "{flag}: {told}");
+        seen += 1;
+    }
+    assert!(seen > 100, "{seen} keys");
+    assert!(stdout(&["explain", "--", "--keep-below"]).starts_with("keep_below, above"));
+    assert!(stdout(&["explain", "[[event]]"]).starts_with("[[event]]"));
+    assert!(stdout(&["explain", "rates"]).starts_with("rates, in [params]"));
+    assert!(stderr(&["explain", "event.keep_below"], 2).contains("is called `event.keep_below`"));
+    let told = stderr(&["explain", "keep_bellow"], 2);
+    assert!(told.contains("did you mean `keep_below`?"), "{told}");
+}
+
+/// The names of the statuses in C, with their numbers.
+fn statuses() -> Vec<(&'static str, i32)> {
+    let header = include_str!("../templates/status.h.txt");
+    let lines = header.lines().filter(|line| line.trim().starts_with("PTC_"));
+    let pair = |line: &'static str| {
+        let (name, rest) = line.trim().split_once(" = ").expect("a number");
+        let number = rest.split([',', ' ']).next().expect("a number");
+        (name, number.parse().expect("an integer"))
+    };
+    lines.map(pair).collect()
+}
+
+#[test]
+fn the_documents_list_every_status() {
+    let read = |page: &str| fs::read_to_string(root().join("docs").join(page)).expect("a page");
+    let start = read("start.md");
+    let rows = start.lines().filter_map(|line| line.strip_prefix("| `PTC_")?.split('`').next());
+    let listed: BTreeSet<_> = rows.map(|name| format!("PTC_{name}")).collect();
+    let all: BTreeSet<_> = statuses().iter().map(|(name, _)| (*name).to_owned()).collect();
+    assert!(all.len() > 10, "{all:?}");
+    assert_eq!(listed, all, "docs/start.md");
+    // An FMU has numbers; where one of the other three would be given, its call fails.
+    let targets = read("targets.md");
+    let after = targets.lines().filter_map(|line| line.split("`status` is ").nth(1));
+    let words = after.flat_map(|text| text.split([' ', ',', ';']));
+    let listed: BTreeSet<i32> = words.filter_map(|word| word.parse().ok()).collect();
+    let failing = ["PTC_E_PARAM", "PTC_E_INPUT", "PTC_E_RANGE"];
+    let given = statuses().into_iter().filter(|(name, _)| !failing.contains(name));
+    assert_eq!(listed, given.map(|(_, number)| number).collect(), "docs/targets.md");
 }
 
 /// The page as the table makes it.

@@ -1,7 +1,12 @@
 //! `moves`: motions to rest of a linear stage with an unknown load, by designs of ours and by the controllers that
 //! `ptc-codegen compare` knows.
 
+mod arrivals;
+mod costs;
+mod draw;
+mod driver;
 mod emitted;
+mod scene;
 mod scenes;
 
 use std::path::PathBuf;
@@ -14,6 +19,9 @@ use crate::case::{Case, VARIANTS};
 use crate::failure::{Failure, Result};
 use crate::tools::{parallel, scratch, workspace};
 use crate::{c, callgrind};
+
+pub(crate) use arrivals::Arrival;
+pub(crate) use costs::Cost;
 
 use emitted::Emitted;
 use scenes::{Stage, settings};
@@ -48,9 +56,27 @@ pub(crate) struct Move {
     pub(crate) instructions: Option<f64>,
 }
 
-/// Measures all of them.
-pub(crate) fn measure() -> Result<Vec<Move>> {
+/// What `moves` measures.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Measured {
+    /// Motions of a fixed length.
+    pub(crate) moves: Vec<Move>,
+    /// Motions with deadlines in flight.
+    pub(crate) arrivals: Vec<Arrival>,
+    /// What these deadlines cost.
+    pub(crate) costs: Vec<Cost>,
+    /// Mean time in s in which Ruckig plans a profile of order 3.
+    pub(crate) plan: f64,
+}
+
+/// Measures all of it.
+pub(crate) fn measure() -> Result<Measured> {
     callgrind::available()?;
+    let arrivals = arrivals::measure()?;
+    Ok(Measured { moves: moves()?, arrivals, costs: costs::measure()?, plan: costs::plan()? })
+}
+
+fn moves() -> Result<Vec<Move>> {
     let folder = scratch("moves")?;
     let stages = DESIGNS.map(|(_, path)| Stage::read(&workspace().join(path)));
     let stages = stages.into_iter().collect::<Result<Vec<_>>>()?;

@@ -8,7 +8,7 @@ use ptc_codegen::diagnostic::Place;
 use ptc_codegen::parameter::{Name, Parameter};
 use ptc_codegen::plant::{Plant, read_design};
 use ptc_codegen::request::Spec;
-use ptc_codegen::simulate::{Loop, Values};
+use ptc_codegen::simulate::{Loop, Piece, Values};
 use ptc_codegen::verify::Setting;
 
 use crate::failure::{Failure, Result, While};
@@ -29,9 +29,9 @@ const STARTS: [[f64; 2]; 3] = [[0.1, 0.0], [0.05, 0.0], [-0.03, 0.0]];
 /// Masses in kg: the known one and 20 % less and more.
 const MASSES: [f64; 3] = [1.5, 1.2, 1.8];
 
-/// A step of the force in N, and its times in s.
+/// A step of the force in N, and its times in parts of the motion.
 const STEP: f64 = 0.5;
-const TIMES: [f64; 3] = [0.4, 0.7, 0.76];
+const TIMES: [f64; 3] = [0.5, 0.875, 0.95];
 
 /// Viscous friction in N s/m.
 const FRICTION: f64 = 2.0;
@@ -45,22 +45,32 @@ pub(super) struct Stage {
 impl Stage {
     /// Reads the design of a file.
     pub(super) fn read(path: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(path).while_doing(path.display())? + PLANT;
-        let wrong = |found| Failure::new(format!("{}: {found:?}", path.display()));
-        let (entries, found) = design::read(&text, &mut |_| Place(0));
-        if !found.is_empty() {
-            return Err(wrong(found));
-        }
-        let (spec, plant) = read_design(&entries).map_err(wrong)?;
-        let plant = plant.ok_or_else(|| Failure::new(format!("{}: no plant", path.display())))?;
-        Ok(Self { spec: Resolved::of(&spec).spec, plant })
+        let read = Self::of(&std::fs::read_to_string(path).while_doing(path.display())?);
+        read.map_err(|wrong| Failure::new(format!("{}: {}", path.display(), wrong.message)))
+    }
+
+    /// Reads a design of the stage.
+    pub(super) fn of(text: &str) -> Result<Self> {
+        let (spec, plant) = designed(&format!("{text}{PLANT}"))?;
+        let plant = plant.ok_or_else(|| Failure::new("no plant"))?;
+        Ok(Self { spec, plant })
     }
 }
 
-/// Returns the scenarios of a design.
-pub(super) fn settings(stage: &Stage) -> Result<Vec<Setting>> {
+/// Reads a design, and its plant where the text has one.
+pub(super) fn designed(text: &str) -> Result<(Spec, Option<Plant>)> {
+    let wrong = |found| Failure::new(format!("{found:?}"));
+    let (entries, found) = design::read(text, &mut |_| Place(0));
+    if !found.is_empty() {
+        return Err(wrong(found));
+    }
+    let (spec, plant) = read_design(&entries).map_err(wrong)?;
+    Ok((Resolved::of(&spec).spec, plant))
+}
+
+/// Returns what a motion may meet: other masses, a step of the force, friction.
+pub(super) fn disturbances(stage: &Stage) -> Result<Vec<Vec<Piece>>> {
     let known = Values::of(&stage.spec, &stage.plant);
-    let tau = known.get(Parameter::Tau);
     let [push, friction, mass] = ["push", "friction", "mass"].map(Name::new);
     let all = push.zip(friction).zip(mass);
     let ((push, friction), mass) = all.ok_or_else(|| Failure::new("no such name"))?;
@@ -68,23 +78,31 @@ pub(super) fn settings(stage: &Stage) -> Result<Vec<Setting>> {
     let whole = |values: Values| vec![(vec![1.0, 0.0], values)];
     let mut cases: Vec<_> = MASSES.iter().map(|own| whole(with(mass, *own))).collect();
     let force = known.get(Parameter::Named(push)) + STEP;
-    cases.extend(TIMES.iter().map(|time| {
-        let share = 1.0 - time / tau;
-        vec![(vec![1.0, share], known.clone()), (vec![0.0], with(push, force))]
-    }));
+    cases.extend(
+        TIMES.iter().map(|time| {
+            vec![(vec![1.0, 1.0 - time], known.clone()), (vec![0.0], with(push, force))]
+        }),
+    );
     cases.push(whole(with(friction, FRICTION)));
+    Ok(cases)
+}
+
+/// Returns the scenarios of a design.
+pub(super) fn settings(stage: &Stage) -> Result<Vec<Setting>> {
+    let known = Values::of(&stage.spec, &stage.plant);
     let around = Loop::of(&stage.spec);
-    let setting = |(pieces, x0): (&Vec<_>, &[f64; 2])| Setting {
+    let setting = |(pieces, x0): (&Vec<Piece>, &[f64; 2])| Setting {
         values: first(pieces, &known),
         x0: x0.to_vec(),
         pieces: pieces.clone(),
         around: around.clone(),
     };
+    let cases = disturbances(stage)?;
     let all = cases.iter().flat_map(|pieces| STARTS.iter().map(move |x0| (pieces, x0)));
     Ok(all.map(setting).collect())
 }
 
 /// The values with which a run begins.
-fn first(pieces: &[ptc_codegen::simulate::Piece], known: &Values) -> Values {
+pub(super) fn first(pieces: &[Piece], known: &Values) -> Values {
     pieces.first().map_or_else(|| known.clone(), |(_, values)| values.clone())
 }

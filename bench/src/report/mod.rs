@@ -1,6 +1,7 @@
 //! `report`: the pages of docs/benchmarks and docs/benchmarks.svg from the last measurements.
 //! docs/BENCHMARKS.md, their conclusions, is written by hand.
 
+mod arrivals;
 mod beside;
 mod moves;
 mod plot;
@@ -18,7 +19,7 @@ use crate::failure::Result;
 use crate::fused::Fused;
 use crate::generator::{Bell, Speed};
 use crate::latency::Latency;
-use crate::moves::Move;
+use crate::moves::Measured;
 use crate::peers::Entry;
 use crate::tools::{machine, results, workspace};
 
@@ -51,9 +52,12 @@ pub(crate) fn campaigns(measured: Vec<Campaign>) -> String {
     section(measured, tables::campaigns)
 }
 
-/// The section of motions, as the page has it.
-pub(crate) fn moves(measured: Vec<Move>) -> String {
-    section(measured, moves::moves)
+/// The sections of motions, as the page has them.
+pub(crate) fn moves(measured: &Measured) -> String {
+    let mut text = String::new();
+    moves::moves(&mut text, &measured.moves);
+    arrivals::arrivals(&mut text, measured);
+    text
 }
 
 /// Writes the pages of which something was measured, and the plot.
@@ -69,7 +73,7 @@ pub(crate) fn write() -> Result<()> {
         ("steps", "Code of a step", steps()?),
         ("generators", "Other generators", section(peers, beside::peers)),
         ("models", "Models", section(kept("models")?.unwrap_or_default(), beside::models)),
-        ("moves", "Motions", section(kept("moves")?.unwrap_or_default(), moves::moves)),
+        ("moves", "Motions", kept("moves")?.as_ref().map_or_else(String::new, moves)),
         (
             "campaigns",
             "Verification campaigns",

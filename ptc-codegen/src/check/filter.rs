@@ -4,7 +4,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::{Outcome, Verdict, bounds, sampled};
 use crate::algebra::{BigRational, integer};
-use crate::diagnostic::{digits, digits_up};
+use crate::diagnostic::{digits_down, digits_up};
 use crate::internal::fault;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{Edge, Keep, Spec, product_of_rates};
@@ -73,7 +73,7 @@ fn gaps(spec: &Spec, keep: &Keep, rates: &[BigRational]) -> Vec<Gap> {
             let known = if of < spec.n { keep.bound(of, edge).cloned() } else { limit(spec, edge) };
             let Some(known) = known else { continue };
             let room = if edge == Edge::Above { -known } else { known };
-            let need = need(keep, rates, of, edge);
+            let need = need(spec, keep, rates, (of, edge));
             let met = matches!(&need, Need::Of(need) if *need <= room);
             if !met {
                 gaps.push(Gap { of, edge, need });
@@ -86,24 +86,28 @@ fn gaps(spec: &Spec, keep: &Keep, rates: &[BigRational]) -> Vec<Gap> {
 /// The part of a bound of state `of`, from 0, or of u, that the bounds of the states before it take at most.
 ///
 /// With x_i kept, q = (Delta + a_i) ... (Delta + a_{j-1}) z_i exceeds z_j by members of its cone and by
-/// sum_k e_k(a_i, ..., a_{j-2}) z_{j-k}, k < j - i.
-fn need(keep: &Keep, rates: &[BigRational], of: usize, edge: Edge) -> Need {
+/// sum_k e_k(a_i, ..., a_{j-2}) z_{j-k}, k < j - i. A safe state may be beyond its bounds by their tolerance, where u is
+/// held to the bound of x_i itself: that takes a_i ... a_{j-1} times its tolerance more of another state.
+fn need(spec: &Spec, keep: &Keep, rates: &[BigRational], (of, edge): (usize, Edge)) -> Need {
+    let beyond = |state: usize| keep.tolerance(state, spec.precision);
+    let is_state = of < spec.n;
     let mut most = integer(0);
-    for i in 0..of.saturating_sub(1) {
-        if keep.bound(i, edge.other()).is_none() {
-            continue;
-        }
+    for i in (0..of).filter(|i| keep.bound(*i, edge.other()).is_some()) {
         let factors = product_of_rates(&rates[i..of - 1]);
-        let mut sum = BigRational::zero();
+        let mut sum = match is_state {
+            true => rates[i..of].iter().fold(beyond(i), |product, rate| product * rate),
+            false => BigRational::zero(),
+        };
         for (k, factor) in factors.iter().enumerate().skip(1).take(of - 1 - i) {
             let Some(bound) = keep.bound(of - k, edge.other()) else {
                 return Need::Bound(of - k, edge.other());
             };
-            sum += factor * bound.abs();
+            sum += factor * (bound.abs() + beyond(of - k));
         }
         most = most.max(sum);
     }
-    Need::Of(most)
+    let own = if is_state { beyond(of) } else { BigRational::zero() };
+    Need::Of((most - own).max(BigRational::zero()))
 }
 
 /// The limit of g u + f; `None` for an infinite one.
@@ -120,11 +124,12 @@ fn limit(spec: &Spec, edge: Edge) -> Option<BigRational> {
 }
 
 impl Gap {
-    /// The input that would do, where it is one of u.
-    fn input(&self, spec: &Spec) -> Option<f64> {
+    /// The input that would do, where it is one of u: rounded to what is printed, away from 0.
+    fn input(&self, spec: &Spec) -> Option<String> {
         let Need::Of(need) = &self.need else { return None };
         let signed = if self.edge == Edge::Above { -need.clone() } else { need.clone() };
-        Some(double(&((signed - force(spec)) / spec.known_gain()?)))
+        let input = double(&((signed - force(spec)) / spec.known_gain()?));
+        Some(if input < 0.0 { digits_down(input) } else { digits_up(input) })
     }
 
     fn summary(&self, spec: &Spec) -> String {
@@ -141,7 +146,7 @@ impl Gap {
             }
             Need::Of(need) => match self.input(spec).filter(|_| self.of == spec.n) {
                 Some(input) => {
-                    format!("the bounds may need u = {}, beyond its limits", digits(input))
+                    format!("the bounds may need u = {input}, beyond its limits")
                 }
                 None => format!(
                     "the {side} bound of {what} may give way to those before it, which need {}",
@@ -160,15 +165,18 @@ impl Gap {
             }
             Need::Of(need) => match self.input(spec).filter(|_| self.of == spec.n) {
                 Some(input) => format!(
-                    "allow u = {}, lower the bounds of x2..xn, or take slower `keep_poles`",
-                    digits(input)
+                    "allow u = {input}, lower the bounds of x2..xn, or take slower `keep_poles`"
                 ),
                 None => {
-                    let room = if self.edge == Edge::Above { -double(need) } else { double(need) };
+                    let need = double(need);
+                    let room = match self.edge {
+                        Edge::Above => digits_down(-need),
+                        Edge::Below => digits_up(need),
+                    };
                     format!(
                         "give `{key}` of x{} at least the size of {}, lower the bounds before it, or take slower `keep_poles`",
                         self.of + 1,
-                        digits(room)
+                        room
                     )
                 }
             },

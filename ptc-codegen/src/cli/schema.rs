@@ -1,8 +1,7 @@
 //! `schema`: a JSON schema of design files, from the tables of keys.
 
-use crate::keys::EVENT_KEYS;
-use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
-use crate::keys::{KEYS, KeyInfo, PLANT_KEYS};
+use crate::keys::verify::{self, INITIAL_STATE, PARAMETER};
+use crate::keys::{KEYS, KeyInfo, TABLES, TableInfo};
 use crate::syntax::number;
 use serde_json::{Map, Value, json};
 
@@ -19,51 +18,17 @@ pub(crate) fn schema() -> String {
     // Parameters of every controller may be given without `params`.
     let is_top = |info: &&KeyInfo| matches!(info.table(), None | Some("params"));
     let mut top = table(KEYS.iter().filter(is_top), false);
-    let named = |name| KEYS.iter().filter(move |info: &&KeyInfo| info.table() == Some(name));
-    let tables = [
-        ("params", "values of parameters, by their names", table(named("params"), true)),
-        (
-            "envelope",
-            "what the inputs of the controller are within",
-            table(named("envelope"), false),
-        ),
-        (
-            "model",
-            "a model of the plant, from which n, f and g follow",
-            table(named("model"), false),
-        ),
-        (
-            "plant",
-            "the plant; every other name is a symbol of f and g",
-            table(named("plant").chain(&PLANT_KEYS), true),
-        ),
-        ("disturbance", DISTURBANCE.meaning, table([], true)),
-        ("verify", "what is drawn, and how much", verified(true)),
-    ];
-    let objectives = json!({
-        "description": "what has to hold",
-        "type": "array",
-        "items": table(&OBJECTIVE_KEYS, false),
-    });
-    let events = json!({
-        "description": "what happens in a run of simulate or verify",
-        "type": "array",
-        "items": table(&EVENT_KEYS, false),
-    });
     let properties = top.get_mut("properties").and_then(Value::as_object_mut);
     if let Some(properties) = properties {
-        for (name, about, mut table) in tables {
-            table.insert("description".to_owned(), about.into());
-            let table = Value::Object(table);
-            // `disturbance` is a key of a controller, and a table of a campaign.
-            let either = match properties.remove(name) {
-                Some(key) => json!({ "anyOf": [key, table] }),
-                None => table,
+        for info in &TABLES {
+            let held = self::held(info);
+            let of_design = match properties.remove(info.name) {
+                // `disturbance` is a key of a controller, and a table of a campaign.
+                Some(key) => json!({ "anyOf": [key, held] }),
+                None => held,
             };
-            properties.insert(name.to_owned(), either);
+            properties.insert(info.name.to_owned(), of_design);
         }
-        properties.insert("objective".to_owned(), objectives);
-        properties.insert("event".to_owned(), events);
     }
     let head = [
         ("$schema", "https://json-schema.org/draft/2020-12/schema"),
@@ -83,6 +48,20 @@ pub(crate) fn schema() -> String {
     schema.insert("if".to_owned(), json!({ "anyOf": named }));
     schema.insert("else".to_owned(), json!({ "properties": { "verify": verified(false) } }));
     format!("{:#}\n", Value::Object(schema))
+}
+
+/// A table of a design, or a list of them.
+fn held(info: &TableInfo) -> Value {
+    let has_names = ["params", "plant"].contains(&info.name) || info.names().next().is_some();
+    let mut own = match info.name {
+        "verify" => verified(true),
+        _ => table(info.keys(), has_names),
+    };
+    if info.each.is_some() {
+        return json!({ "description": info.meaning, "type": "array", "items": own });
+    }
+    own.insert("description".to_owned(), info.meaning.into());
+    Value::Object(own)
 }
 
 /// A table with these keys, and others where it is `open`.

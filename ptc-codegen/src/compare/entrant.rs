@@ -54,6 +54,18 @@ pub struct Entrants {
     pub omitted: Vec<Omitted>,
 }
 
+/// Returns the rival that follows the shortest profile to rest within the limits of a design, less its `reserve`; `None`
+/// for other plants than a chain, and where no bandwidth makes its loop stable.
+pub fn follower(spec: &Spec, nominal: &Nominal) -> Option<Entrant> {
+    if !nominal.is_chain {
+        return None;
+    }
+    let found = tuned(nominal, None, &Observed::new)?;
+    let law = Law::Observed(found.regulator, Shape::Soonest);
+    let rival = Rival::new(spec, nominal, &Flat::of(nominal)?, law);
+    Some(entrant(SOONEST, nominal, rival, found.bandwidth))
+}
+
 impl Control for Contestant {
     fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         match self {
@@ -75,6 +87,20 @@ impl Control for Contestant {
             Self::Rival(own) => own.step(t, measured),
         }
     }
+
+    fn call(&mut self, function: &str, given: &[&[f64]]) -> Option<Status> {
+        match self {
+            Self::Own(own) => own.call(function, given),
+            Self::Rival(own) => own.call(function, given),
+        }
+    }
+
+    fn deadline(&mut self) -> Option<f64> {
+        match self {
+            Self::Own(own) => own.deadline(),
+            Self::Rival(own) => own.deadline(),
+        }
+    }
 }
 
 /// Names of the rivals.
@@ -82,6 +108,7 @@ const PID: &str = "polynomial + PID";
 const OBSERVED: &str = "polynomial + observer";
 const JERK_LIMITED: &str = "jerk-limited + observer";
 const HORIZON: &str = "finite-horizon LQR";
+const SOONEST: &str = "soonest profile + observer";
 
 impl Entrants {
     /// Returns the controllers for the plant of a design. The rivals have the bandwidth in rad/s that is `given`, or that

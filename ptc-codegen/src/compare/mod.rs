@@ -22,7 +22,7 @@ mod tuning;
 
 pub use column::{COLUMNS, Column};
 pub use comparison::{Comparison, Row, Scenes};
-pub use entrant::{Contestant, Entrant, Entrants, Omitted};
+pub use entrant::{Contestant, Entrant, Entrants, Omitted, follower};
 pub use figures::{AFTER, Figures, Record, SETTLED, measured, recorded};
 pub use nominal::Nominal;
 pub use operations::Operations;

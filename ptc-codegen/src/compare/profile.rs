@@ -64,16 +64,35 @@ pub enum Shape {
     Polynomial,
     /// A third of the time each to accelerate, coast and brake, with limited jerk.
     JerkLimited,
+    /// The shortest one with the limits of u, in the part of them that the design plans with.
+    Soonest,
 }
 
 impl Profile {
-    /// Returns the profile of a shape from the state `x` to rest in `length` seconds; `None` where there is none.
-    pub(super) fn new(shape: Shape, flat: &Flat, x: &DVector<f64>, length: f64) -> Option<Self> {
-        match shape {
-            Shape::Polynomial => Polynomial::new(flat, x, length).map(Self::Polynomial),
-            Shape::JerkLimited => {
-                JerkLimited::new(x.as_slice(), length).map(|own| Self::JerkLimited(Box::new(own)))
+    /// Returns the profile of a shape from the state `x` to rest: in `length` seconds, or with |u| up to `limit`; `None`
+    /// where there is none.
+    pub(super) fn new(
+        shape: Shape,
+        flat: &Flat,
+        x: &DVector<f64>,
+        (length, limit): (f64, f64),
+    ) -> Option<Self> {
+        let found = match shape {
+            Shape::Polynomial => return Polynomial::new(flat, x, length).map(Self::Polynomial),
+            Shape::JerkLimited => JerkLimited::new(x.as_slice(), length)?,
+            // z of a chain is x_1 in parts of the gain.
+            Shape::Soonest => {
+                JerkLimited::soonest(x.as_slice(), limit * flat.states[(0, 0)].abs())?
             }
+        };
+        Some(Self::JerkLimited(Box::new(found)))
+    }
+
+    /// Its length in s.
+    pub(super) fn length(&self) -> f64 {
+        match self {
+            Self::Polynomial(own) => own.length,
+            Self::JerkLimited(own) => own.length(),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The controllers that a design is compared with, as the sampled loop calls them.
 
 use nalgebra::DMatrix;
+use num_traits::ToPrimitive;
 
 use super::nominal::Nominal;
 use super::operations::Operations;
@@ -80,7 +81,7 @@ impl Rival {
             // Horner's rule for x and its derivatives.
             Law::Pid(_, shape) | Law::Observed(_, shape) => match shape {
                 Shape::Polynomial => (0..=n).map(|i| 2 * n + 1 - i).sum(),
-                Shape::JerkLimited => 6,
+                Shape::JerkLimited | Shape::Soonest => 6,
             },
         };
         self.regulator().operations() + Operations { products: profile, sums: profile }
@@ -120,7 +121,27 @@ impl Rival {
         };
         let length = self.samples.saturating_sub(self.nominal.delay) as f64 * self.nominal.h;
         let start = self.regulator().predicted(kept, y);
-        Profile::new(shape, &self.flat, &start, length)
+        let flight = self.spec.sampled().and_then(|sampled| sampled.flight.as_ref());
+        let reserve = flight.and_then(|flight| flight.reserve.to_f64()).unwrap_or(0.0);
+        let limit = (1.0 - reserve) * self.limits.radius();
+        Profile::new(shape, &self.flat, &start, (length, limit))
+    }
+
+    /// Returns true if the profile decides how long the run takes.
+    fn has_own_length(&self) -> bool {
+        matches!(self.law, Law::Pid(_, Shape::Soonest) | Law::Observed(_, Shape::Soonest))
+    }
+
+    /// Regulator and profile before the first sample, whose measurement is `y`.
+    fn begin(&mut self, y: &[f64]) -> (Vec<f64>, Option<Profile>) {
+        let kept = self.regulator().start(y);
+        let profile = self.profile(&kept, y);
+        if let (true, Some(profile)) = (self.has_own_length(), &profile) {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+            let samples = (profile.length() / self.nominal.h).ceil() as usize;
+            self.samples = samples + self.nominal.delay;
+        }
+        (kept, profile)
     }
 }
 
@@ -143,11 +164,10 @@ impl Control for Rival {
     }
 
     fn step(&mut self, t: f64, measured: &[f64]) -> (&[f64], Status) {
-        let (mut kept, profile) = self.run.take().unwrap_or_else(|| {
-            let kept = self.regulator().start(measured);
-            let profile = self.profile(&kept, measured);
-            (kept, profile)
-        });
+        let (mut kept, profile) = match self.run.take() {
+            Some(run) => run,
+            None => self.begin(measured),
+        };
         let since = t - self.begin;
         let target = match (&profile, &self.law) {
             (Some(profile), _) => profile.target(&self.flat, &self.nominal, since),
@@ -167,6 +187,16 @@ impl Control for Rival {
             _ => self.regulator().step(&mut kept, measured, &target, self.limits),
         };
         self.run = Some((kept, profile));
-        (&self.u, if left > 0 { Status::Ok } else { Status::Hold })
+        let is_limited = self.limits.nears(self.u[0], 0.0);
+        let status = match left {
+            _ if is_limited => Status::Saturated,
+            0 => Status::Hold,
+            _ => Status::Ok,
+        };
+        (&self.u, status)
+    }
+
+    fn deadline(&mut self) -> Option<f64> {
+        self.has_own_length().then_some(self.begin + self.samples as f64)
     }
 }

@@ -55,7 +55,7 @@ fn second([x, v]: [f64; 2], least: f64, most: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::second;
+    use super::{profile, second};
 
     /// From rest the time is 2 sqrt(x/a); braking alone takes v/a; with unequal limits the parts are those of the areas.
     #[test]
@@ -71,5 +71,15 @@ mod tests {
         near(second([-1.0, 0.0], -2.0, 1.0), 1.5 * 2.0 / 3f64.sqrt());
         // At (0, v): stop in v/a, and come back.
         near(second([0.0, 1.0], -1.0, 1.0), 1.0 + 2f64.sqrt());
+    }
+    /// The profile of a follower has this length.
+    #[test]
+    fn the_shortest_profile_takes_as_long() {
+        for (i, j) in (-4..=4).flat_map(|i| (-4..=4).map(move |j| (i, j))) {
+            let x = [0.25 * f64::from(i), 0.5 * f64::from(j)];
+            let (known, planned) = (second(x, -2.0, 2.0), profile::duration(&x, 2.0));
+            let (known, planned) = (known.expect("a time"), planned.expect("a profile"));
+            assert!((known - planned).abs() < 1e-9, "{x:?}: {known} {planned}");
+        }
     }
 }

@@ -38,8 +38,11 @@ pub fn independent(
     mut meaning: Vec<Diagnostic>,
 ) -> Vec<Diagnostic> {
     if hides_keys(text) {
-        meaning.retain(|own| own.code != "missing-key");
+        meaning.retain(|own| own.code != MISSING);
     }
+    // What could not be read is given.
+    meaning
+        .retain(|own| own.code != MISSING || !text.iter().any(|of| is_within(&of.key, &own.key)));
     if !text.is_empty() || meaning.iter().any(|own| own.code == "unknown-key") {
         // What could not be read may use it.
         meaning.retain(|own| own.code != UNUSED);
@@ -57,6 +60,12 @@ pub fn independent(
     let mut followers = followers.into_iter();
     meaning.retain(|_| !followers.next().unwrap_or(false));
     meaning
+}
+
+/// Returns true if a key is another one, or lies in a table or a list that it names.
+fn is_within(key: &str, of: &str) -> bool {
+    let rest = key.strip_prefix(of);
+    !of.is_empty() && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
 fn read(entries: &[Entry]) -> Vec<Diagnostic> {
@@ -143,6 +152,9 @@ fn unknown(text: &[Diagnostic], entries: &[Entry], meaning: &[Diagnostic]) -> Ve
 
 /// Most mistakes among which follow-ups are looked for.
 const MAX_FOLLOWED: usize = 12;
+
+/// Code of a key that is not given.
+const MISSING: &str = "missing-key";
 
 /// Code of a parameter that nothing uses.
 const UNUSED: &str = "unused-parameter";

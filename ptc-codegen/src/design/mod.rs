@@ -40,13 +40,6 @@ use crate::request::Entry;
 use reader::Reader;
 use statement::statements;
 
-/// The tables of a design. All other keys are at the top.
-const TABLES: [&str; 6] = ["params", "envelope", "model", "plant", "disturbance", "verify"];
-
-/// The tables that a design may have several times, each with what it is to hold at least.
-const LISTED: [(&str, &str); 2] =
-    [("objective", "`bound = \"state\"` and `sigma = 4`"), ("event", "`at = 0.4` and `tau = 0.6`")];
-
 /// Code of a mistake in the TOML itself.
 pub const SYNTAX: &str = "toml";
 

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use super::statement::{Head, Statement, Word};
 use super::value::shorten;
-use super::{LISTED, SYNTAX, TABLES, canonical};
+use super::{SYNTAX, canonical};
 use crate::diagnostic::{Diagnostic, Place, near_miss};
-use crate::keys::KeyInfo;
+use crate::keys::{KeyInfo, TABLES, TableInfo, table};
 use crate::request::Entry;
 
 /// State of the reader.
@@ -57,7 +57,7 @@ impl<'a> Reader<'a> {
         for Table { name, number, at, has_line } in std::mem::take(&mut self.listed) {
             if !has_line {
                 let message = format!("{name} {number} is empty");
-                let holds = LISTED.iter().find(|(own, _)| *own == name).map_or("", |(_, own)| own);
+                let holds = table::each(name).unwrap_or_default();
                 let help = format!("write {holds} under it, or leave it out");
                 self.wrong("missing-key", &format!("{name}[{number}]"), at, message, help);
             }
@@ -79,7 +79,8 @@ impl<'a> Reader<'a> {
             Head::Table => self.table(&statement.words, "[", "]"),
             Head::Tables => {
                 let name = dotted(&statement.words);
-                if let Some((name, _)) = LISTED.into_iter().find(|(own, _)| *own == name) {
+                let listed = TABLES.iter().find(|own| own.each.is_some() && own.name == name);
+                if let Some(name) = listed.map(|own| own.name) {
                     let number = self.listed.iter().filter(|own| own.name == name).count() + 1;
                     let at = range(&statement.words);
                     self.listed.push(Table { name, number, at, has_line: false });
@@ -105,7 +106,7 @@ impl<'a> Reader<'a> {
                 let Some(key) = self.pair(&statement.words) else { return };
                 // `disturbance` is a key of the controller too, and a table of what is verified.
                 let own = KeyInfo::find(&key).is_some_and(|info| info.table().is_none());
-                if TABLES.contains(&key.as_str()) && !own {
+                if table::single().any(|table| table == key) && !own {
                     let message = format!("`{key}` is {}, not a table", value.described());
                     let help = format!(
                         "write `[{key}]` on a line of its own, and under it one `name = value` a line"
@@ -124,7 +125,7 @@ impl<'a> Reader<'a> {
     /// `[table]`, or a `[[table]]` of which a design has one at most.
     fn table(&mut self, words: &[Word], open: &str, close: &str) {
         let name = shorten(&dotted(words));
-        let known = TABLES.into_iter().find(|table| *table == name);
+        let known = table::single().find(|table| *table == name);
         self.section = known.map_or(Section::Unknown, Section::Table);
         let at = range(words);
         match known {
@@ -138,7 +139,7 @@ impl<'a> Reader<'a> {
                 self.wrong("repeated-key", &name, at, message, help);
             }
             Some(table) => self.opened.push(table),
-            None if LISTED.iter().any(|(own, _)| *own == name) => {
+            None if table::each(&name).is_some() => {
                 let message = format!("`[{name}]` is one table of a list");
                 self.wrong("unknown-table", &name, at, message, format!("write `[[{name}]]`"));
             }
@@ -147,12 +148,12 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown_table(&mut self, name: &str, shown: &str, at: Range<usize>) {
-        let legal = "the tables are params, envelope, model, plant, disturbance, verify, [[objective]] and [[event]]; all other keys go above the first table";
+        let legal = legal_tables();
         let first = name.split('.').next().unwrap_or(name);
-        let help = match near_miss(first, TABLES.into_iter().chain(LISTED.map(|(name, _)| name))) {
+        let help = match near_miss(first, TABLES.iter().map(|own| own.name)) {
             Some(meant) if meant == first => format!("a table holds no tables: {legal}"),
             Some(meant) => format!("did you mean `{meant}`? {legal}"),
-            None => legal.to_owned(),
+            None => legal,
         };
         let message = format!("{shown} is not a table of a design");
         self.wrong("unknown-table", name, at, message, help);
@@ -171,7 +172,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         if let (Section::Top, [first, _]) = (self.section, words)
-            && let Some(table) = TABLES.into_iter().find(|table| *table == first.text)
+            && let Some(table) = table::single().find(|table| *table == first.text)
         {
             self.opened.push(table);
             return Some(dotted(words));
@@ -224,4 +225,16 @@ fn range(words: &[Word]) -> Range<usize> {
         (Some(first), Some(last)) => first.range.start..last.range.end,
         _ => 0..0,
     }
+}
+
+/// Lists the tables for a help.
+fn legal_tables() -> String {
+    let shown = |own: &TableInfo| match own.each {
+        Some(_) => format!("[[{}]]", own.name),
+        None => own.name.to_owned(),
+    };
+    let shown: Vec<_> = TABLES.iter().map(shown).collect();
+    let (last, others) = shown.split_last().map_or(("", &[][..]), |(last, rest)| (last, rest));
+    let others = others.join(", ");
+    format!("the tables are {others} and {last}; all other keys go above the first table")
 }

@@ -1,9 +1,8 @@
 //! A design file to begin with, made from the table of keys so that it lists them all.
 
-use super::TABLES;
 use crate::keys::EVENT_KEYS;
 use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
-use crate::keys::{GROUPS, KEYS, KeyInfo, PLANT_KEYS};
+use crate::keys::{GROUPS, KEYS, KeyInfo, PLANT_KEYS, table};
 use crate::plant;
 use crate::syntax::number;
 
@@ -30,7 +29,7 @@ pub fn template(name: Option<&str>) -> String {
         let keys = group.keys().filter(|info| info.table().is_none());
         text.extend(keys.map(|info| entry(info, given(info, name))));
     }
-    for table in TABLES {
+    for table in table::single() {
         let keys: Vec<_> = KEYS.iter().filter(|info| info.table() == Some(table)).collect();
         if keys.is_empty() {
             continue;

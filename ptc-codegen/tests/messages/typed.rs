@@ -22,7 +22,35 @@ const fn checked(
     Typed { name, design, arguments: &["check", "design.toml"], code: 2, wanted, errors: 1 }
 }
 
-const ROWS: [Typed; 25] = [
+/// A time that is no number is given all the same.
+const EVENT: &str = "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 1e-3\npoles = [-4, -5]\n[params]\ntau = 0.8\n\
+    eps = 0\nu_max = 9\n[plant]\nf = 0\n[verify]\nx1 = 1\nx2 = 0\n[[objective]]\nbound = \"state\"\nsigma = 4\n[[event]]\nat = nan\n\
+    move = 0.1\n";
+
+/// The same of the box of initial states.
+const BOX: &str = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\n[params]\ntau = 0.8\neps = 0.01\nu_max = 9\n[plant]\nf = 0\n\
+    [verify]\nx1 = nan\nx2 = 0\n[[objective]]\nbound = \"state\"\nsigma = 4\n";
+
+const FILTER: &str = "what = \"filter\"\nn = 2\nsample_time = 1e-3\nkeep_below = 0.5\nkeep_poles = [-10, -40]\n[params]\n\
+    tau = 0.4\nu_max = 9\n";
+
+const ROWS: [Typed; 29] = [
+    Typed {
+        arguments: &["verify", "design.toml"],
+        ..checked("instant", EVENT, &["`nan` is not a number"])
+    },
+    Typed {
+        arguments: &["verify", "design.toml"],
+        ..checked("box", BOX, &["`nan` is not a number"])
+    },
+    Typed {
+        arguments: &["check", "design.toml", "--plot", "set.svg"],
+        ..checked("filter_plot", FILTER, &["a filter has no law", "leave --plot out"])
+    },
+    Typed {
+        arguments: &["show", "tables"],
+        ..checked("tables", "", &["n is an integer 1..=30 here, for example --n 3\n"])
+    },
     checked(
         "name",
         "name = \"belt stage\"\nn = 2\nmu = \"exp(a=1)\"\n",

@@ -135,20 +135,23 @@ fn order(node: &Node, most: usize) -> Option<usize> {
 }
 
 fn no_order(given: Option<(&Node, &str)>, most: usize) -> Diagnostic {
-    let example = KeyInfo::find("n").map_or("", |info| info.example);
-    let (code, message) = match given {
+    let legal = format!("n is an integer 1..={most} here");
+    let (code, message, help) = match given {
         Some((_, text)) => {
             let start: String = text.chars().take(40).collect();
-            ("bad-value", format!("n = `{start}` is not an order that can be shown"))
+            let example = KeyInfo::find("n").map_or("", |info| info.example);
+            let message = format!("n = `{start}` is not an order that can be shown");
+            ("bad-value", message, format!("{legal}, for example --n {example}"))
         }
-        None => ("missing-key", "`n` is missing".to_owned()),
+        // Each missing key gets its example where it is reported.
+        None => ("missing-key", "`n` is missing".to_owned(), legal),
     };
     Diagnostic {
         code,
         key: "n".to_owned(),
         place: given.map(|(node, _)| node.place),
         message,
-        help: format!("n is an integer 1..={most} here, for example --n {example}"),
+        help,
     }
 }
 

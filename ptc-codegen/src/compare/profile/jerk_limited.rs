@@ -59,6 +59,22 @@ impl JerkLimited {
         Some(Self { trajectory: Some(found), order })
     }
 
+    /// Returns the shortest profile from (x, v) or (x, v, a) to rest with a limit of the next derivative alone; `None`
+    /// where there is none.
+    pub(super) fn soonest(x: &[f64], limit: f64) -> Option<Self> {
+        if x.iter().all(|own| *own == 0.0) {
+            return Some(Self { trajectory: None, order: x.len() });
+        }
+        let mut limits = [f64::INFINITY; 3];
+        *limits.get_mut(x.len() - 1)? = limit;
+        Some(Self { trajectory: Some(planned(x, Limits(limits))?), order: x.len() })
+    }
+
+    /// Its length in s.
+    pub(super) fn length(&self) -> f64 {
+        self.trajectory.as_ref().map_or(0.0, Trajectory::get_duration)
+    }
+
     /// x, v and a where the order is 3, and the next derivative, at `t` >= 0.
     pub(super) fn at(&self, t: f64) -> ([f64; 3], f64) {
         let Some(own) = self.trajectory.as_ref().filter(|own| t < own.get_duration()) else {
@@ -72,10 +88,10 @@ impl JerkLimited {
     }
 }
 
-/// Returns the shortest time from (x, v, a) to rest with these limits of the jerk alone; `None` where there is none.
-pub(crate) fn duration(x: &[f64; 3], jerk: f64) -> Option<f64> {
-    let limits = Limits([f64::INFINITY, f64::INFINITY, jerk]);
-    planned(x, limits).map(|own| own.get_duration())
+/// Returns the shortest time from (x, v) or (x, v, a) to rest with a limit of the next derivative alone; `None` where
+/// there is none.
+pub(crate) fn duration(x: &[f64], limit: f64) -> Option<f64> {
+    JerkLimited::soonest(x, limit).map(|own| own.length())
 }
 
 fn planned(x: &[f64], Limits(limits): Limits) -> Option<Trajectory<1>> {

@@ -313,3 +313,78 @@ fn rounding_makes_no_bound_give_way() {
     }
     assert!((x[0] - 0.5).abs() < 1e-3, "{x:?}");
 }
+
+/// Bounds of position and speed with these tolerances, and the limit of u.
+fn tolerant<'a>(tolerance: &'a str, u_max: &'a str) -> Vec<(&'a str, &'a str)> {
+    let more = [
+        ("keep_below", "0.5, 0.8"),
+        ("keep_above", "-0.5, -0.8"),
+        ("keep_poles", "-10, -30"),
+        ("keep_tolerance", tolerance),
+        ("u_max", u_max),
+    ];
+    keys("2", &more)
+}
+
+/// Samples in which a bound has to give way, from random states that are safe up to the tolerance.
+fn given_way(keys: &[(&str, &str)], tolerance: [f64; 2]) -> usize {
+    let (h, mut draw) = (1.0 / 64.0, Draw(5));
+    let slowest = (1.0 - f64::exp(-10.0 * h)) / h;
+    let mut count = 0;
+    for run in 0..40 {
+        let side = if run % 2 == 0 { 1.0 } else { -1.0 };
+        let inside = 1.0 - 1e-9;
+        let part = match run % 4 < 2 {
+            true => draw.between(0.9, inside),
+            false => draw.between(0.0, 0.2),
+        };
+        let speed = side * (0.8 + tolerance[1]) * part;
+        // On the edge of the cone: z_1 + z_2/a = b.
+        let flat = side * (0.5 + tolerance[0]) * inside - speed / slowest;
+        let x = [flat + h / 2.0 * speed, speed];
+        let (mut own, mut plant) = (instance(keys), Chain::new(&x, 1.0));
+        for k in 0..20 {
+            let nominal = draw.between(-1.0, 1.0) * 1e3;
+            let (u, status) = step(&mut own, k, &plant.now(), nominal);
+            count += usize::from(status == Status::Infeasible);
+            plant.step(u);
+        }
+    }
+    count
+}
+
+/// A state that is beyond its bounds by their tolerance counts as safe, so that what is promised from there needs more of
+/// the limits.
+#[test]
+fn a_tolerance_needs_room_in_the_limits() {
+    let designs = [
+        ("0.001, 0.1", [0.001, 0.1], "7.5", Verdict::Undecided),
+        ("0.001, 0.1", [0.001, 0.1], "8.4", Verdict::Sound),
+        ("0.1, 0.001", [0.1, 0.001], "100", Verdict::Undecided),
+        ("0.05, 0.001", [0.05, 0.001], "100", Verdict::Sound),
+    ];
+    for (tolerance, numbers, u_max, verdict) in designs {
+        let keys = tolerant(tolerance, u_max);
+        let spec = read(&keys).expect("a legal design");
+        let report = examine(&spec);
+        let of_loop = report.outcomes.iter().find(|own| own.name == "loop").expect("a check");
+        assert_eq!(of_loop.verdict, verdict, "{tolerance}, {u_max}: {}", of_loop.summary);
+        let count = given_way(&keys, numbers);
+        assert_eq!(count == 0, verdict == Verdict::Sound, "{tolerance}, {u_max}: {count}");
+    }
+}
+
+/// The limit of u that `check` names is enough, as it is printed.
+#[test]
+fn the_limit_that_is_named_is_enough() {
+    let told = |u_max: &str| {
+        let spec = read(&tolerant("0.001, 0.1", u_max)).expect("a legal design");
+        let report = examine(&spec);
+        let of_loop = report.outcomes.into_iter().find(|own| own.name == "loop");
+        of_loop.expect("a check").summary
+    };
+    let named = told("7.5");
+    let number = named.split("u = -").nth(1).and_then(|rest| rest.split(',').next());
+    let number = number.expect("a limit").to_owned();
+    assert!(told(&number).starts_with("from every safe state"), "{number}: {}", told(&number));
+}

@@ -10,7 +10,7 @@ use crate::diagnostic::{digits_down, digits_up};
 use crate::linear::{Horizon, Peak, Signal};
 use crate::parameter::{Fixed, Parameter};
 use crate::program::range::Range;
-use crate::request::{Flight, Late, Sampled, Spec};
+use crate::request::{Flight, Late, Sampled, Spec, What};
 use crate::samples::Ending;
 
 #[cfg(feature = "lab")]
@@ -75,6 +75,12 @@ impl<'a> Limited<'a> {
             why: "the law has no bounds in closed form",
             help: "give one chain, without a reference, poles of consecutive integers such as least-energy, and numbers for sample_time and eps",
         };
+        if spec.what == What::Filter {
+            return Err(Unlimited {
+                why: "a filter has no law, so that no deadline is planned",
+                help: "leave --plot out: the check `loop` prints whether the bounds can be kept",
+            });
+        }
         let Some(sampled) = spec.sampled() else {
             return Err(Unlimited {
                 why: "which deadlines the limits allow is known of a clock in samples",

@@ -93,8 +93,7 @@ impl Reader<'_> {
         if actions.is_empty() && lines < 2 {
             let message = "an event in which nothing happens".to_owned();
             let help = "give `tau`, `move`, `kick` with `for`, or arm = true".to_owned();
-            let key = format!("{}.tau", table.key);
-            self.found.push("missing-key", key, None, message, help);
+            self.found.push("missing-key", table.key, None, message, help);
         }
         Some(Planned { at, actions })
     }
