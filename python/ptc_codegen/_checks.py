@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ptc_codegen import _ptc
-from ptc_codegen._design import Design, readable
+from ptc_codegen._design import Design, held, readable
 from ptc_codegen._results import Check, Report
 
 
@@ -15,12 +15,12 @@ def emit(design: Design, lang: str = "c", *, selftest: bool = False) -> dict[str
 
     Raises `DesignError` for checks that refuse the design, and for what the language cannot express.
     """
-    return dict(_ptc.emit(design._own, readable("lang", lang), selftest))
+    return dict(_ptc.emit(held(design), readable("lang", lang), selftest))
 
 
 def check(design: Design) -> Report:
     """What every check says of a design. A design that is refused is no error here."""
-    checks, refused, undecided, verdict, margins = _ptc.check(design._own)
+    checks, refused, undecided, verdict, margins = _ptc.check(held(design))
     return Report(
         name=design.name,
         accepted=not refused,

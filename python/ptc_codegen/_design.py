@@ -182,6 +182,14 @@ class Design:
         return f"<ptc_codegen.Design {self.name}: {self.flags}>"
 
 
+def held(design: Design) -> _ptc.Design:
+    """What the library holds of a design."""
+    if not isinstance(design, Design):
+        legal = "a Design: Design(text), or Design.load(path) for a file"
+        raise TypeError(f"design is of type {type(design).__name__}; legal: {legal}")
+    return design._own
+
+
 def _restored(cls: type[Design], text: str, keys: Sequence[tuple[str, str]]) -> Design:
     """The design of a text and of keywords that are texts already."""
     return _of(cls.__new__(cls), _ptc.Design(text, keys))

@@ -52,6 +52,8 @@ def vector(given: ArrayLike, name: str) -> Sequence[float]:
         numbers = numpy.asarray(given, dtype=numpy.float64)
     except (OverflowError, RecursionError):
         raise mistake(name, "not numbers within 1.7e308", "give numbers that a double holds") from None
+    except ValueError:
+        raise ValueError(f"{name} is not an array of numbers; legal: one axis, for example [1, 0]") from None
     if numbers.ndim != 1:
         raise ValueError(f"{name} has shape {numbers.shape}; legal: one axis")
     result: Sequence[float] = numbers.tolist()

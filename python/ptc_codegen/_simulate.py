@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ptc_codegen import _ptc
-from ptc_codegen._design import Design
+from ptc_codegen._design import Design, held
 from ptc_codegen._errors import DesignWarning
 from ptc_codegen._numbers import (
     array,
@@ -55,6 +55,7 @@ def simulate(
     Raises `DesignError` for a value that is missing or illegal, and `RunError` where the loop leaves the
     range of numbers. Warns with `DesignWarning`.
     """
+    own = held(design)
     start = vector(x0, "x0")
     if len(start) != len(design.states):
         names = ", ".join(design.states)
@@ -65,7 +66,7 @@ def simulate(
     again = vector(arm_at, "arm_at")
     number = whole(seed, "seed")
     with reporting(progress, "simulate") as told_progress:
-        told = _ptc.simulate(design._own, start, fractions, number, end, again, told_progress)
+        told = _ptc.simulate(own, start, fractions, number, end, again, told_progress)
     for warning in told["warnings"]:
         warnings.warn(warning, DesignWarning, stacklevel=2)
     return _run(design, told, fractions is None)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any, overload
 
 from ptc_codegen import _ptc
-from ptc_codegen._design import Design
+from ptc_codegen._design import Design, held
 from ptc_codegen._numbers import array, inputs, known_units, whole
 from ptc_codegen._progress import Progress, reporting
 from ptc_codegen._results import Objective, Part, Trajectory, Verdict
@@ -63,9 +63,9 @@ def verify(
     given = _campaign(scenarios, seed)
     with reporting(progress, "verify") as told:
         if shard is None:
-            return _verdict(_ptc.verify(design._own, given, draws, told))
+            return _verdict(_ptc.verify(held(design), given, draws, told))
         index, count = (whole(number, "shard") for number in shard)
-        start, stop, of, numbers = _ptc.part(design._own, given, (index, count), told)
+        start, stop, of, numbers = _ptc.part(held(design), given, (index, count), told)
     return Part(start=start, stop=stop, campaign=of, numbers=bytes(numbers))
 
 
@@ -85,7 +85,7 @@ def merge(
     """
     own = [(part.start, part.stop, part.campaign, part.numbers) for part in parts]
     with reporting(progress, "merge") as told:
-        return _verdict(_ptc.merge(design._own, _campaign(scenarios, seed), own, draws, told))
+        return _verdict(_ptc.merge(held(design), _campaign(scenarios, seed), own, draws, told))
 
 
 def _campaign(scenarios: int | None, seed: int | None) -> list[tuple[str, str]]:

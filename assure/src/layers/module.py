@@ -245,6 +245,11 @@ def refused():
     error = raised(ValueError, lambda: ptc.emit(design, "klingon"))
     expect("rust" in str(error), f"languages: {error}")
     raised(TypeError, lambda: ptc.Design(n=2, mu=object()))
+    for work in [lambda: ptc.simulate("table.toml", [1, 0]), lambda: ptc.check("n = 2"), lambda: ptc.verify({})]:
+        error = raised(TypeError, work)
+        expect("Design.load(path)" in str(error), f"another type for a design: {error}")
+    error = raised(ValueError, lambda: ptc.simulate(design, "ab"))
+    expect("x0" in str(error), f"a text for x0: {error}")
     raised(ptc.DesignError, lambda: ptc.Design.load("no such file.toml"))
     unstable = ptc.Design(n=1, mu="exp(a=1)", gains=[2], tau=1, plant={"f": "exp(x1^2)"})
     raised(ptc.RunError, lambda: ptc.simulate(unstable, [30]))
