@@ -145,7 +145,7 @@ pub use error::Error;
 /// | `pace` | deadline: kept as it was asked for, or planned as soon as the limits allow at every sample | `deadline` or `soonest` | `deadline` |
 /// | `state_max` | bounds of the states that a planned deadline keeps | a number > 0 or `inf`, or one for each state | `inf` |
 /// | `reserve` | part of each limit that a planned deadline leaves free | a number from 0 up to, not including, 1 | 0 |
-/// | `in_flight` | whether deadline, target and estimates may change while it runs; with `clock = samples` | `true` or `false` | `false`, `true` beside `late` |
+/// | `in_flight` | whether the deadline may change while it runs: with `clock = samples` target and estimates too, with `clock = time` tau, which the design leaves out | `true` or `false` | `false`, `true` beside `late` |
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
 /// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
 /// | `observer` | law of the gains of the observer; with `clock = samples` | `prescribed`: a round; `stationary`: a Kalman filter | `prescribed` |

@@ -362,7 +362,7 @@ pub static KEYS: [KeyInfo; 75] = [
     },
     KeyInfo {
         key: "in_flight",
-        meaning: "whether deadline, target and estimates may change while it runs; with clock = samples",
+        meaning: "whether the deadline may change while it runs: with clock = samples target and estimates too, with clock = time tau, which the design leaves out",
         legal: SWITCH,
         example: "true",
     },

@@ -1,4 +1,4 @@
-//! Controllers whose deadline changes in flight.
+//! Controllers whose deadline, or duration, changes in flight.
 
 ptc::ptc_controller!(
     n = 2,
@@ -69,4 +69,27 @@ fn axes_share_a_deadline_in_flight() {
     let first = late.step(7, &x);
     assert_eq!((first.status, first.axes), (Ok(ptc::Status::Ok), [Ok(ptc::Status::Ok); 2]));
     assert_eq!(late.soonest(&[[0.0, 0.6], [0.0, 0.0]]), Err(ptc::Error::Soon), "beyond its bound");
+}
+
+ptc::ptc_controller!(n = 2, mu = exp(a = 1), name = Again, poles = [-4, -5], in_flight = true);
+
+/// A controller in time takes another duration, and refuses one that is not legal.
+#[test]
+fn durations_change_in_flight() {
+    let params = |tau| AgainParams { tau, t0: 0.0, eps: 0.01, u_max: f64::INFINITY };
+    let mut own = Again::new(params(2.0)).expect("legal parameters");
+    own.arm_for(0.5, 0.7).expect("a duration");
+    let mut fresh = Again::new(params(0.7)).expect("legal parameters");
+    fresh.arm(0.5).expect("a start");
+    assert_eq!(own, fresh);
+    own.arm(3.0).expect("a start");
+    fresh.arm(3.0).expect("a start");
+    assert_eq!(own, fresh, "the tau last used");
+    for (t0, tau) in [(0.0, 0.01), (0.0, 0.0), (0.0, f64::NAN), (f64::INFINITY, 1.0)] {
+        assert_eq!(own.arm_for(t0, tau), Err(ptc::Error::Param), "{t0} {tau}");
+    }
+    assert_eq!(own, fresh, "nothing has changed");
+    // The trait starts it again too.
+    ptc::Controller::arm(&mut own, 4.0).expect("a start");
+    assert_eq!(own.step(4.7, &[0.0, 0.0]).expect("a control").status, ptc::Status::Hold);
 }

@@ -92,8 +92,8 @@ pub fn of_inputs() -> Spec {
     ])
 }
 
-/// User-defined mappings, laws, ends and divisors, and latched states.
-fn features() -> [Spec; 6] {
+/// User-defined mappings, laws, ends and divisors, latched states, and a duration that changes in flight.
+fn features() -> [Spec; 7] {
     [
         spec(&[
             ("n", "2"),
@@ -130,5 +130,6 @@ fn features() -> [Spec; 6] {
             ("after", "extern"),
             ("name", "ptc_tanh3_extern"),
         ]),
+        spec(&[("n", "2"), ("mu", "tan"), ("in_flight", "true"), ("name", "ptc_tan2_in_flight")]),
     ]
 }

@@ -35,7 +35,7 @@ impl Record {
 }
 
 /// Results of `init`, `step`, and `tick` followed by `axis`, and of another `step` after `arm` at the same time with x
-/// as the state at the start. A result without a call is (0, 12345).
+/// as the state at the start; or after `arm_for`, where there is one, for three quarters of tau. A result without a call is (0, 12345).
 #[derive(Clone, Copy, Debug)]
 pub struct Outcome {
     /// Status of `init`.
@@ -217,6 +217,7 @@ pub(super) fn glue_arguments(folder: &Path, spec: &Spec, name: &str, header: &st
         format!("-DREAL={real}"),
         format!("-DPARAMS={}", spec.run_time_parameters().count()),
         format!("-DLATCHES={}", yes(spec.latches())),
+        format!("-DIN_FLIGHT={}", yes(spec.changes_duration())),
         format!("-DLAW={}", yes(spec.feedback == Feedback::Extern)),
         format!("-DAFTER={}", yes(spec.after == After::Extern)),
         format!("-DAXIS={}", yes(has_gains(spec))),

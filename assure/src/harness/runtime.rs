@@ -36,7 +36,8 @@ pub fn homes<'a>(folder: &Path, specs: &'a [Spec], language: Language) -> Result
 /// A line of the manifest has, between tabs: the folder, in which it finds `records.bin` and leaves
 /// `outcomes.bin`; the name and the type's name; n; `f64` or `f32`; the parameters, as `tau:0,k:3` with
 /// the length of arrays; and whether the controller latches x0, calls pi0, calls a law after
-/// the deadline, has tick and axis, and is the infinite-time system; and how many numbers of a
+/// the deadline, has tick and axis, is the infinite-time system, and is armed again for three quarters of tau, its first
+/// parameter; and how many numbers of a
 /// reference it is given.
 pub fn outcomes(
     command: &mut Command,
@@ -53,6 +54,7 @@ pub fn outcomes(
             spec.after == After::Extern,
             has_gains(spec),
             spec.what == What::Associated,
+            spec.changes_duration(),
         ];
         let flags = flags.map(|flag| u8::from(flag).to_string()).join("\t");
         let (name, type_name) = (spec.name(), spec.type_name());

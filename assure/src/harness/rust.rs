@@ -135,6 +135,10 @@ fn drive(index: usize, spec: &Spec) -> String {
         String::new()
     };
     let again = if spec.latches() { ", &x" } else { "" };
+    let (arm, again) = match spec.changes_duration() {
+        true => ("arm_for", format!(", 0.75 * record[0]{again}")),
+        false => ("arm", again.to_owned()),
+    };
     format!(
         "
 #[unsafe(no_mangle)]
@@ -170,7 +174,7 @@ pub extern \"C\" fn drive_{index}(record: *const {real}, status: *mut i32, u: *m
         Err(_) => status[0] = -1,
         Ok(mut own) => {{
         (status[0], (status[1], u[0])) = (0, code(own.step(t, &x{given}{externs})));
-{axis}        match own.arm(t{again}) {{
+{axis}        match own.{arm}(t{again}) {{
             Ok(()) => (status[3], u[2]) = code(own.step(t, &x{given}{externs})),
             Err(_) => status[3] = -1,
         }}

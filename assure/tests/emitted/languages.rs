@@ -18,7 +18,7 @@ use support::{folder, in_pairs, run, write};
 
 fn controllers() -> Vec<Spec> {
     let of_families = families().map(|family| Spec::new(2, family));
-    let features: [&[(&str, &str)]; 12] = [
+    let features: [&[(&str, &str)]; 14] = [
         &[("n", "2"), ("mu", "exp"), ("name", "apart"), ("u_min", "runtime")],
         &[
             ("n", "2"),
@@ -61,6 +61,15 @@ fn controllers() -> Vec<Spec> {
         ],
         &[("n", "9"), ("kappa", "tau*dt/(tau - dt) + dt"), ("name", "in_loops")],
         &[("n", "3"), ("mu", "tanh"), ("reference", "input"), ("name", "given")],
+        &[("n", "3"), ("mu", "tan"), ("in_flight", "true"), ("name", "lasting")],
+        &[
+            ("n", "2"),
+            ("mu", "power"),
+            ("pi0", "-xi1 - xi2 + xi1_0"),
+            ("in_flight", "true"),
+            ("precision", "f32"),
+            ("name", "lasting_latched"),
+        ],
         &[
             ("n", "2"),
             ("mu", "rational"),

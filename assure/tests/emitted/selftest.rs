@@ -43,11 +43,14 @@ fn failures(folder: &Path, spec: &Spec) -> u32 {
 /// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
 fn kinds() -> Vec<Spec> {
     let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
-    let kinds: [&[(&str, &str)]; 22] = [
+    let kinds: [&[(&str, &str)]; 25] = [
         &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
         &[("n", "2"), ("mu", "rational"), ("u_max", "-1"), ("u_min", "-3"), ("poles", "-4,-5")],
         &[("n", "2"), ("mu", "exp"), ("u_min", "-inf"), ("guard", "result"), ("after", "zero")],
         &[("n", "3"), ("mu", "exp")],
+        &[("n", "3"), ("mu", "tan"), ("in_flight", "true"), ("precision", "f32")],
+        &[("n", "2"), ("mu", "power"), ("pi0", "-xi1 - xi2 + xi1_0"), ("in_flight", "true")],
+        &[("n", "2"), ("mu", "soft"), ("axes", "2"), ("in_flight", "true"), ("guard", "none")],
         &[("n", "4"), ("mu", "rational"), ("precision", "f32")],
         &[("n", "2"), ("mu", "exp_sum")],
         &[("n", "3"), ("mu", "tan"), ("guard", "result")],

@@ -88,7 +88,7 @@ impl Accepted {
         self.report.spec.needs_no_filter("a proof")?;
         self.report.spec.needs_no_fma("a proof with Frama-C")?;
         within(|| match &self.staged {
-            Some(_) => Ok(emit::emit_with_proof(&self.controller())),
+            Some(_) => emit::emit_with_proof(&self.controller()),
             None => {
                 let code = emit::sampled_c(&self.report);
                 emit::emit_sampled_with_proof(&self.report.spec, &code)

@@ -250,7 +250,19 @@ impl Parsed<'_> {
 
     /// The same with the plant, if the design has one.
     pub(crate) fn read_with_plant(&self) -> Result<(Spec, Option<Plant>), Failure> {
-        match plant::read_design(&self.entries) {
+        self.read_by(plant::read_design)
+    }
+
+    /// The same of a controller that runs, whose duration may be given where the code leaves it open.
+    pub(crate) fn read_run(&self) -> Result<(Spec, Option<Plant>), Failure> {
+        self.read_by(plant::read_run)
+    }
+
+    fn read_by(
+        &self,
+        read: impl Fn(&[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>>,
+    ) -> Result<(Spec, Option<Plant>), Failure> {
+        match read(&self.entries) {
             Ok(both) => self.finish(Some(both), Vec::new()),
             Err(found) => self.finish(None, found),
         }

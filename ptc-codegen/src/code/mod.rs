@@ -95,13 +95,27 @@ pub struct Code {
     pub functions: Vec<Function>,
 }
 
-/// The call of `arm` that ends `init`.
+/// The call of `arm`, or of `arm_for` where the duration changes in flight, that ends `init`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
     /// The start time.
     pub time: Expr,
+    /// The duration that `arm_for` is given.
+    pub duration: Option<Expr>,
     /// The state that is latched, which `init` is given too.
     pub state: Option<Variable>,
+}
+
+impl Start {
+    /// Returns the name of the function that is called.
+    pub fn function(&self) -> &'static str {
+        if self.duration.is_some() { "arm_for" } else { "arm" }
+    }
+
+    /// The numbers that it is given, before the state that is latched.
+    pub fn numbers(&self) -> impl Iterator<Item = &Expr> {
+        std::iter::once(&self.time).chain(&self.duration)
+    }
 }
 
 impl Shape {
@@ -132,7 +146,8 @@ impl Code {
             Some(state) => format!(", latching the state {}", state.name),
             None => String::new(),
         };
-        format!("Takes the parameters and arms at params.t0 (or the fixed t0){latching}.")
+        let duration = if start.duration.is_some() { " for params.tau" } else { "" };
+        format!("Takes the parameters and arms at params.t0 (or the fixed t0){duration}{latching}.")
     }
 
     /// Returns its noun in descriptions.

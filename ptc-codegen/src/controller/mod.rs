@@ -13,7 +13,7 @@ use crate::request::Spec;
 pub(crate) use code::of_program;
 pub use code::whole;
 use measured::Measured;
-use plan::{Field, Plan};
+use plan::{Field, Phase, Plan, Routine};
 
 /// Everything that a back end is given.
 #[derive(Clone, Copy, Debug)]
@@ -35,17 +35,41 @@ impl<'a> Controller<'a> {
     }
 }
 
-/// Returns the checks of `init`, and then of `arm`, on their results, in the order of the checks: products that keep
-/// their digits, then fields that are finite.
-pub fn checked(controller: &Controller<'_>) -> [Vec<Condition>; 2] {
+/// The checks of functions on their results, each in their order: products that keep their digits, then fields that are
+/// finite.
+#[derive(Debug)]
+pub struct Checks {
+    /// Those of `init`.
+    pub init: Vec<Condition>,
+    /// Those of `arm`.
+    pub arm: Vec<Condition>,
+    /// Those of `arm_for`, where there is one; those of `arm` are among them.
+    pub arm_for: Vec<Condition>,
+}
+
+impl Checks {
+    /// The checks of all functions.
+    #[cfg(feature = "files")]
+    pub(crate) fn all(&self) -> impl Iterator<Item = &Vec<Condition>> {
+        [&self.init, &self.arm, &self.arm_for].into_iter()
+    }
+}
+
+/// Returns the checks of a controller.
+pub fn checked(controller: &Controller<'_>) -> Checks {
     let program = controller.program;
-    let plan = Plan::new(program);
-    let finite = |armed: bool| {
-        let fields = plan.fields.iter().filter(move |field| field.armed == armed);
-        fields.filter(|f| is_derived(program, f)).map(|f| Condition::Finite(f.value))
+    let plan = Plan::new(controller.spec(), program);
+    let finite = |routine| {
+        let fields = plan.set_by(routine).filter(|field| is_derived(program, field));
+        fields.map(|field| Condition::Finite(field.value)).collect::<Vec<_>>()
     };
-    let kept = digits::checks(controller.spec(), program);
-    [kept.into_iter().chain(finite(false)).collect(), finite(true).collect()]
+    let [init, duration] = digits::checks(controller.spec(), program);
+    let arm_for = if program.in_flight { finite(Routine::ArmFor) } else { Vec::new() };
+    Checks {
+        init: [init, finite(Routine::Init)].concat(),
+        arm: finite(Routine::Arm),
+        arm_for: [duration, arm_for].concat(),
+    }
 }
 
 /// Returns true if a field is to be checked: one that is a parameter as it was given has been checked by its domain,
@@ -53,7 +77,8 @@ pub fn checked(controller: &Controller<'_>) -> [Vec<Condition>; 2] {
 pub(crate) fn is_derived(program: &Program, field: &Field) -> bool {
     let value = program.get(field.value);
     let of_time = |name: &str| matches!(name, "deadline" | "correction");
-    let is_time = field.armed && value.name.as_ref().is_some_and(|(n, _)| of_time(n));
+    let is_time =
+        field.phase == Phase::Start && value.name.as_ref().is_some_and(|(n, _)| of_time(n));
     let is_given = matches!(value.op, Op::Input(_));
     !is_time && !is_given
 }

@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::code::parameter_name;
 use crate::lower::Plant;
 use crate::parameter::Parameter;
+use crate::program::digits::{self, Condition};
 use crate::program::{Input, Least, Op, Program, Stage, Value};
+use crate::request::Spec;
 
 /// The emitted functions that compute something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +16,8 @@ pub(crate) enum Routine {
     Init,
     /// Start time to fields.
     Arm,
+    /// Start time and duration to fields.
+    ArmFor,
     /// Time and state to u.
     Step,
     /// Time to gains.
@@ -39,26 +43,22 @@ pub(crate) struct Field {
     pub(crate) name: String,
     /// Its meaning.
     pub(crate) meaning: String,
-    /// True if `arm` sets it; otherwise `init` does.
-    pub(crate) armed: bool,
+    /// The arguments that decide it.
+    pub(crate) phase: Phase,
 }
 
-/// Computations of one call: the stages between two sets of fields.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Phase {
+/// The arguments that decide a value, and so the calls that compute it: stages, of which that of `arm` is parted where the
+/// duration changes in flight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Phase {
+    /// The parameters: `init`.
     Init,
-    Arm,
+    /// The duration: `arm_for`.
+    Duration,
+    /// The start: `arm` and `arm_for`.
+    Start,
+    /// Time and state.
     Call,
-}
-
-impl Phase {
-    fn of(stage: Stage) -> Self {
-        match stage {
-            Stage::Generation | Stage::Init => Self::Init,
-            Stage::Arm => Self::Arm,
-            Stage::Tick | Stage::Step => Self::Call,
-        }
-    }
 }
 
 /// The layout of a program in an emitted file.
@@ -68,12 +68,15 @@ pub(crate) struct Plan<'a> {
     /// The fields, in order of computation.
     pub(crate) fields: Vec<Field>,
     names: BTreeMap<Value, String>,
+    /// True for each value that the duration decides.
+    of_duration: Vec<bool>,
 }
 
 impl<'a> Plan<'a> {
-    /// The plan of `program`.
-    pub(crate) fn new(program: &'a Program) -> Self {
-        let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new() };
+    /// The plan of `program`, which is that of `spec`.
+    pub(crate) fn new(spec: &Spec, program: &'a Program) -> Self {
+        let of_duration = program.of_duration();
+        let mut plan = Self { program, fields: Vec::new(), names: BTreeMap::new(), of_duration };
         for (index, definition) in program.values.iter().enumerate() {
             let name = match (&definition.name, &definition.op) {
                 (Some((name, _)), _) => name.clone(),
@@ -87,11 +90,14 @@ impl<'a> Plan<'a> {
         kept.extend(program.limits.of_u());
         kept.extend([program.limits.hold_from, program.limits.eps]);
         for value in program.needed(&program.outputs()) {
-            let definition = program.get(value);
-            let phase = Phase::of(definition.stage);
-            let earlier = |v: &Value| Phase::of(program.get(*v).stage) < phase;
-            kept.extend(definition.op.operands().into_iter().filter(earlier));
+            let phase = plan.phase(value);
+            let earlier = |v: &Value| plan.phase(*v) < phase;
+            kept.extend(program.get(value).op.operands().into_iter().filter(earlier));
         }
+        // What `arm_for` checks may follow from values of `init` that nothing else reads.
+        let [_, checks] = digits::checks(spec, program);
+        let of_init = |v: &Value| plan.phase(*v) < Phase::Duration;
+        kept.extend(checks.iter().flat_map(Condition::values).filter(of_init));
         let of_plant = Plant::of(program).map(|plant| plant.at_a_time()).unwrap_or_default();
         let results = program
             .handed_over()
@@ -99,7 +105,7 @@ impl<'a> Plan<'a> {
             .chain(&program.others)
             .chain(&program.axis)
             .chain(&of_plant);
-        kept.extend(results.filter(|v| Phase::of(program.get(**v).stage) < Phase::Call));
+        kept.extend(results.filter(|v| plan.phase(**v) < Phase::Call));
         let kept: Vec<_> = kept.into_iter().filter(|v| !plan.is_literal(*v)).collect();
         for value in kept {
             plan.keep(value);
@@ -109,6 +115,7 @@ impl<'a> Plan<'a> {
 
     fn keep(&mut self, value: Value) {
         let definition = self.program.get(value);
+        let phase = self.phase(value);
         let name = self.names.entry(value).or_insert_with(|| format!("f{}", value.0)).clone();
         let meaning = match (&definition.name, &definition.op) {
             (Some((_, meaning)), _) => meaning.clone(),
@@ -120,10 +127,20 @@ impl<'a> Plan<'a> {
             (None, Op::Input(Input::Parameter(parameter))) => parameter.meaning().to_owned(),
             (None, Op::Input(Input::StartTime)) => "start time".to_owned(),
             (None, Op::Input(Input::StateAtStart(_))) => "state at the start".to_owned(),
-            _ if definition.stage == Stage::Arm => "derived at the start time".to_owned(),
+            _ if phase == Phase::Start => "derived at the start time".to_owned(),
+            _ if phase == Phase::Duration => "derived from the duration".to_owned(),
             _ => "derived from the parameters".to_owned(),
         };
-        self.fields.push(Field { value, name, meaning, armed: definition.stage == Stage::Arm });
+        self.fields.push(Field { value, name, meaning, phase });
+    }
+
+    fn phase(&self, value: Value) -> Phase {
+        match self.program.get(value).stage {
+            Stage::Generation | Stage::Init => Phase::Init,
+            Stage::Arm if self.of_duration[value.0] => Phase::Duration,
+            Stage::Arm => Phase::Start,
+            Stage::Tick | Stage::Step => Phase::Call,
+        }
     }
 
     /// Returns true if a value is written as a literal wherever it is used.
@@ -139,8 +156,9 @@ impl<'a> Plan<'a> {
     /// Returns the values that `function` must compute.
     pub(crate) fn roots(&self, function: Routine) -> Vec<Value> {
         match function {
-            Routine::Init => self.fields.iter().filter(|f| !f.armed).map(|f| f.value).collect(),
-            Routine::Arm => self.fields.iter().filter(|f| f.armed).map(|f| f.value).collect(),
+            Routine::Init | Routine::Arm | Routine::ArmFor => {
+                self.set_by(function).map(|field| field.value).collect()
+            }
             Routine::Step => {
                 let limits = self.program.limits;
                 let mut roots = self.program.controls();
@@ -159,6 +177,16 @@ impl<'a> Plan<'a> {
         }
     }
 
+    /// The fields that `function` sets.
+    pub(crate) fn set_by(&self, function: Routine) -> impl Iterator<Item = &Field> {
+        self.fields.iter().filter(move |field| match function {
+            Routine::Init => field.phase == Phase::Init,
+            Routine::Arm => field.phase == Phase::Start,
+            Routine::ArmFor => field.phase > Phase::Init,
+            _ => false,
+        })
+    }
+
     fn of_plant(&self, of: impl Fn(Plant<'_>) -> Vec<Value>) -> Vec<Value> {
         Plant::of(self.program).map(of).unwrap_or_default()
     }
@@ -168,10 +196,11 @@ impl<'a> Plan<'a> {
         let own = match function {
             Routine::Init => Phase::Init,
             // The state at the start is an argument here, and no field.
-            Routine::Arm | Routine::Start => Phase::Arm,
+            Routine::Arm | Routine::Start => Phase::Start,
+            Routine::ArmFor => Phase::Duration,
             _ => Phase::Call,
         };
-        !self.is_literal(value) && Phase::of(self.program.get(value).stage) < own
+        !self.is_literal(value) && self.phase(value) < own
     }
 }
 

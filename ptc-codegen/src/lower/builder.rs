@@ -63,6 +63,7 @@ impl<'a> Builder<'a> {
             precision: spec.precision,
             fma: false,
             latency: false,
+            in_flight: spec.changes_duration(),
             values: Vec::new(),
             limits: Limits {
                 start_time: None,

@@ -51,7 +51,19 @@ pub const TABLE: &str = "plant";
 /// # Errors
 /// Every mistake in the controller, else every mistake in the table `[plant]`.
 pub fn read_design(entries: &[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>> {
-    let mut spec = request::read(entries)?;
+    with_plant(entries, request::read(entries)?)
+}
+
+/// The same of a controller that runs: see [`request::read_run`].
+///
+/// # Errors
+/// As [`read_design`].
+#[cfg(feature = "simulate")]
+pub fn read_run(entries: &[Entry]) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>> {
+    with_plant(entries, request::read_run(entries)?)
+}
+
+fn with_plant(entries: &[Entry], mut spec: Spec) -> Result<(Spec, Option<Plant>), Vec<Diagnostic>> {
     let plant = read(entries, &spec)?;
     promised(&mut spec, plant.as_ref(), entries)?;
     Ok((spec, plant))

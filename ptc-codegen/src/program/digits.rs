@@ -1,7 +1,7 @@
-//! Checks that `init` makes before `step` may use its results: a product of legal numbers that falls below the normal
+//! Checks that `init`, and `arm_for` of a duration, make before `step` may use their results: a product of legal numbers that falls below the normal
 //! range has lost digits, or is 0, and nothing after it shows that.
 //!
-//! Every product and quotient that `init` forms gets the range of its magnitude from the legal values
+//! Every product and quotient that they form gets the range of its magnitude from the legal values
 //! of the parameters; one that may be too small is checked. An overflow shows by itself: it ends in a
 //! field that is not finite, or in a quotient that is too small.
 
@@ -12,7 +12,7 @@ use crate::expression::Function;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
 
-/// A condition on what `init` computes.
+/// A condition on what is computed before a step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Condition {
     /// It is finite.
@@ -167,13 +167,21 @@ impl Size {
     }
 }
 
-/// Returns the checks of `init` for the program of `spec`, in the order in which it computes the checked values.
-pub fn checks(spec: &Spec, program: &Program) -> Vec<Condition> {
+/// Returns the checks of `init` for the program of `spec`, in the order in which it computes the checked values, and then
+/// those of `arm_for`, which computes what the duration decides.
+pub fn checks(spec: &Spec, program: &Program) -> [Vec<Condition>; 2] {
+    let of_duration = program.of_duration();
+    let all = all_checks(spec, program, &of_duration);
+    let (armed, init) = all.into_iter().partition(|check| of_duration[check.values()[0].0]);
+    [init, armed]
+}
+
+fn all_checks(spec: &Spec, program: &Program, of_duration: &[bool]) -> Vec<Condition> {
     let (normal, largest) = normal(spec.precision);
     let mut sizes = vec![Size::UNKNOWN; program.values.len()];
     let mut checks = Vec::new();
     let needed = program.needed(&program.outputs());
-    let is_known = |value: Value| program.get(value).stage <= Stage::Init;
+    let is_known = |value: Value| program.get(value).stage <= Stage::Init || of_duration[value.0];
     let mut used = vec![false; program.values.len()];
     for value in needed.iter().filter(|value| !is_known(**value)) {
         program.get(*value).op.operands().into_iter().for_each(|operand| used[operand.0] = true);

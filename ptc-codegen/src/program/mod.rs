@@ -53,7 +53,7 @@ pub enum Stage {
     Generation,
     /// When the parameters are given.
     Init,
-    /// When the start time is given.
+    /// When the start time is given, and the duration where it changes in flight.
     Arm,
     /// When time is given.
     Tick,
@@ -150,6 +150,8 @@ pub struct Program {
     pub fma: bool,
     /// True if polynomials are evaluated as trees, for short chains of operations.
     pub latency: bool,
+    /// True if tau changes in flight: it becomes known when the controller is armed.
+    pub in_flight: bool,
     /// All values, operands before users.
     pub values: Vec<Definition>,
     /// Values with which the frame of the emitted functions compares.
@@ -316,12 +318,28 @@ impl Program {
     pub fn stage_of(&self, op: &Op) -> Stage {
         match op {
             Op::Number(_) => Stage::Generation,
+            Op::Input(Input::Parameter(Parameter::Tau)) if self.in_flight => Stage::Arm,
             Op::Input(input) => input.stage(),
             Op::Unknown => Stage::Tick,
             _ => {
                 op.operands().iter().map(|v| self.get(*v).stage).max().unwrap_or(Stage::Generation)
             }
         }
+    }
+
+    /// Returns true for each value that the duration decides, at any start: those that stay where only the start time
+    /// changes. None unless the duration changes in flight.
+    pub fn of_duration(&self) -> Vec<bool> {
+        let mut own: Vec<bool> = Vec::with_capacity(self.values.len());
+        for definition in &self.values {
+            let waits = |v: &Value| self.get(*v).stage == Stage::Arm && !own[v.0];
+            let of_start = match &definition.op {
+                Op::Input(input) => !matches!(input, Input::Parameter(_)),
+                op => op.operands().iter().any(waits),
+            };
+            own.push(definition.stage == Stage::Arm && !of_start);
+        }
+        own
     }
 
     /// Returns true if `op` belongs to the loop of a root.

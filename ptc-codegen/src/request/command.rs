@@ -39,6 +39,7 @@ impl Spec {
         if let Clock::Samples(sampled) = &self.clock {
             words.extend(self.sampled_words(sampled));
         }
+        words.extend(self.in_flight.then(|| "--in-flight".to_owned()));
         if self.precision == Precision::F32 {
             words.push("--precision f32".to_owned());
         }

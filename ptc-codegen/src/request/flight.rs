@@ -1,4 +1,5 @@
-//! Changes while a controller in samples runs, and its answer to a deadline that limits do not allow.
+//! Changes while a controller runs: its duration with a clock in time, and in samples its deadline, with its answer to one
+//! that limits do not allow.
 
 use num_traits::ToPrimitive;
 
@@ -55,6 +56,12 @@ impl Flight {
 }
 
 impl Spec {
+    /// Returns true if `arm_for` gives a controller with a clock in time another duration: where tau has one value, as in
+    /// the checks of a run, nothing depends on it.
+    pub fn changes_duration(&self) -> bool {
+        self.in_flight && !self.fixed.contains_key(&Parameter::Tau)
+    }
+
     /// Returns true if the controller may change its deadline by itself: it puts it off, or plans the soonest one.
     pub fn changes_deadline(&self) -> bool {
         let flight = self.sampled().and_then(|sampled| sampled.flight.as_ref());

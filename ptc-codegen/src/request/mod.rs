@@ -39,6 +39,8 @@ pub use poles::{Pole, PoleError, gains};
 pub(crate) use promises::exact_one_or_each;
 pub use promises::{PlantBounds, Promises, Resonance, one_or_each};
 pub(crate) use read::derivatives;
+#[cfg(feature = "simulate")]
+pub use read::read_run;
 pub use read::{Entry, read};
 pub(crate) use read::{items, known, meant, state_name};
 pub use reference::Reference;

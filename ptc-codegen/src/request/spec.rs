@@ -56,6 +56,8 @@ pub struct Spec {
     pub fixed: BTreeMap<Parameter, Fixed>,
     /// Bounds of run-time parameters that the user gave, least and greatest value.
     pub bounds: BTreeMap<Parameter, (Fixed, Fixed)>,
+    /// True if tau may change while a controller with a clock in time runs; in samples see [`Flight`](super::Flight).
+    pub in_flight: bool,
     /// True if u has a separate lower limit; otherwise it is -u_max.
     pub u_min: bool,
     /// The poles from which the gains were computed; empty where gains were given.
@@ -100,6 +102,7 @@ impl Spec {
             after: After::Hold,
             fixed: BTreeMap::new(),
             bounds: BTreeMap::new(),
+            in_flight: false,
             u_min: false,
             poles: Vec::new(),
             written: BTreeMap::new(),

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::maker::{Maker, state};
 use super::parameters::Chosen;
-use super::{CANDIDATES, Call, Draw, Session, Trials, Unreachable};
+use super::{Again, CANDIDATES, Call, Draw, Session, Trials, Unreachable};
 use crate::controller::{Controller, checked};
 use crate::parameter::Parameter;
 use crate::program::digits::Condition;
@@ -36,6 +36,7 @@ pub(super) fn sessions(
     let mut maker =
         Maker { controller, machine, chosen, trials, reference, taken: BTreeSet::new(), checked };
     let mut sessions = vec![maker.approach(), maker.hold(), maker.armed_again()];
+    sessions.extend(maker.armed_for());
     sessions.extend(maker.bounded());
     sessions.extend(maker.without_gains());
     sessions.extend(maker.out_of_range());
@@ -94,7 +95,8 @@ impl Maker<'_> {
     fn armed_again(&mut self) -> Session {
         let n = self.spec().given();
         let mut session = self.session(0.0625);
-        session.again = Some(settle(1000.1, self.spec().precision));
+        let start = settle(1000.1, self.spec().precision);
+        session.again = Some(Again { start, duration: None, arms: true });
         let tau = self.parameter(&session, Parameter::Tau);
         for share in [1.0, 0.3, 0.0] {
             let t = self.time(&session, share * tau);
@@ -109,10 +111,42 @@ impl Maker<'_> {
         session
     }
 
+    /// Another duration than that of the parameters, which `arm` keeps.
+    fn armed_for(&mut self) -> Vec<Session> {
+        if !self.controller.program.in_flight {
+            return Vec::new();
+        }
+        let n = self.spec().given();
+        let mut sessions = Vec::new();
+        for (start, share, arms) in [(-3.7, 0.4, false), (0.2, 1.7, true)] {
+            let mut session = self.session(0.0625);
+            let [tau, eps] = [Parameter::Tau, Parameter::Eps].map(|p| self.parameter(&session, p));
+            let duration = self.chosen.legal(Parameter::Tau, eps + share * (tau - eps));
+            if duration <= eps {
+                continue;
+            }
+            let start = settle(start, self.spec().precision);
+            session.again = Some(Again { start, duration: Some(duration), arms });
+            for share in [1.0, 0.6, 0.25, 0.0] {
+                let t = self.time(&session, share * duration);
+                for sign in [1.0, -1.0] {
+                    let x = self.within(&session, t, &state(n, sign));
+                    self.ask(&mut session, t, &x);
+                }
+            }
+            sessions.push(session);
+        }
+        sessions
+    }
+
     /// Gains of 0, with which products in `init` are 0 by right.
     fn without_gains(&mut self) -> Option<Session> {
         let n = self.spec().given();
-        self.checked[0].iter().find(|check| matches!(check, Condition::Kept(..)))?;
+        self.checked
+            .init
+            .iter()
+            .chain(&self.checked.arm_for)
+            .find(|check| matches!(check, Condition::Kept(..)))?;
         let mut session = self.session(0.0625);
         for (value, parameter) in session.parameters.iter_mut().zip(self.chosen.at_run_time()) {
             if matches!(parameter, Parameter::Gain(_)) {

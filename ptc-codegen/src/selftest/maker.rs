@@ -6,10 +6,9 @@ use std::collections::BTreeSet;
 
 use super::parameters::Chosen;
 use super::trial::{Seen, Trial};
-use super::{Call, Session, Trials, Wanted, own_laws, own_rest};
-use crate::controller::Controller;
+use super::{Again, Call, Session, Trials, Wanted, own_laws, own_rest};
+use crate::controller::{Checks, Controller};
 use crate::parameter::{Parameter, Precision};
-use crate::program::digits::Condition;
 use crate::program::interpret::Decision;
 use crate::program::machine::Machine;
 use crate::program::number::settle;
@@ -28,8 +27,8 @@ pub(super) struct Maker<'a> {
     pub(super) reference: RefCell<Reference<'a>>,
     /// The branches that were taken so far.
     pub(super) taken: BTreeSet<Decision>,
-    /// Checks of `init` and `arm` on their results.
-    pub(super) checked: [Vec<Condition>; 2],
+    /// Checks of `init`, `arm` and `arm_for` on their results.
+    pub(super) checked: Checks,
 }
 
 impl<'a> Maker<'a> {
@@ -46,9 +45,20 @@ impl<'a> Maker<'a> {
     pub(super) fn parameter(&self, session: &Session, wanted: Parameter) -> f64 {
         let at = self.chosen.place(wanted);
         match (wanted, session.again) {
-            (Parameter::StartTime, Some(start)) => start,
+            (Parameter::StartTime, Some(Again { start, .. })) => start,
+            (Parameter::Tau, Some(Again { duration: Some(tau), .. })) => tau,
             _ => at.map_or_else(|| self.chosen.value(wanted, 0.0), |at| session.parameters[at]),
         }
+    }
+
+    /// The run-time parameters as they are after every start.
+    fn parameters(&self, session: &Session) -> Vec<f64> {
+        let all = self.chosen.at_run_time().iter().zip(&session.parameters);
+        let own = |(parameter, value): (&Parameter, &f64)| match parameter {
+            Parameter::Tau => self.parameter(session, *parameter),
+            _ => *value,
+        };
+        all.map(own).collect()
     }
 
     /// The time at which so much is left.
@@ -193,7 +203,7 @@ impl<'a> Maker<'a> {
             settle(start + self.parameter(session, Parameter::Tau), self.spec().precision);
         let (controller, chosen) = (self.controller, self.chosen);
         let (machine, x0) = (self.machine, session.x0.as_slice());
-        let parameters = &session.parameters;
+        let parameters = &self.parameters(session);
         let trial =
             Trial { controller, chosen, machine, parameters, x0, start, t: start, x: &zeros };
         let legal = |p: Parameter| self.spec().keeps_digits(p, self.parameter(session, p));
@@ -201,15 +211,15 @@ impl<'a> Maker<'a> {
         let in_domain = eps < tau && self.chosen.at_run_time().iter().copied().all(legal);
         in_domain
             && deadline.is_finite()
-            && self.checked.iter().all(|checks| trial.first_failure(checks).is_none())
+            && self.checked.all().all(|checks| trial.first_failure(checks).is_none())
     }
 
     pub(super) fn trial(&self, session: &Session, t: f64, x: &[f64]) -> Seen {
         let start = self.parameter(session, Parameter::StartTime);
         let (controller, chosen) = (self.controller, self.chosen);
         let (machine, x0) = (self.machine, session.x0.as_slice());
-        Trial { controller, chosen, machine, parameters: &session.parameters, x0, start, t, x }
-            .run()
+        let parameters = &self.parameters(session);
+        Trial { controller, chosen, machine, parameters, x0, start, t, x }.run()
     }
 
     /// A state along `x` with which u is half its bound at most, as far as u is affine in the state: a

@@ -68,10 +68,21 @@ pub struct Session {
     pub parameters: Vec<f64>,
     /// The state at the start; empty where none is latched.
     pub x0: Vec<f64>,
-    /// The time at which the controller is armed again before the calls.
-    pub again: Option<f64>,
+    /// How the controller is armed again before the calls.
+    pub again: Option<Again>,
     /// The calls, at least one.
     pub calls: Vec<Call>,
+}
+
+/// Another start than that of `init`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Again {
+    /// The start time.
+    pub start: f64,
+    /// The duration that `arm_for` is given; `None` for a call of `arm` alone.
+    pub duration: Option<f64>,
+    /// True if `arm` is called, after `arm_for` where that is.
+    pub arms: bool,
 }
 
 /// A condition of the emitted code that no input makes false.
@@ -81,8 +92,12 @@ pub enum Always {
     Init(usize),
     /// One of the checks of `arm`.
     Arm(usize),
+    /// One of the checks of `arm_for`.
+    ArmFor(usize),
     /// The condition that a factor of a product is not 0: the check of the product in `init`, and the factor.
     NotZero(usize, usize),
+    /// The same in `arm_for`.
+    NotZeroFor(usize, usize),
     /// Another, as it is emitted in C.
     Written(String),
 }
@@ -105,6 +120,8 @@ pub struct SelfTest {
     pub refused: Vec<Vec<f64>>,
     /// Starts with states that `arm` must refuse to latch; with the first of them so must `init`.
     pub refused_states: Vec<(f64, Vec<f64>)>,
+    /// Durations that `arm_for` must refuse.
+    pub refused_durations: Vec<f64>,
     /// True if a start time can make the deadline overflow with the parameters alone.
     pub tau_is_kept: bool,
     /// Checks that cannot fail.
@@ -170,6 +187,7 @@ impl SelfTest {
             sessions,
             refused,
             refused_states,
+            refused_durations: refused::durations(controller, &chosen),
             tau_is_kept: chosen.place(crate::parameter::Parameter::Tau).is_some(),
             unreachable: [overflow.unreachable, not_zero, never].concat(),
         })

@@ -4,7 +4,7 @@
 use super::parameters::Chosen;
 use super::trial::Trial;
 use super::{Always, Draw, Trials, Unreachable};
-use crate::controller::{Controller, checked};
+use crate::controller::{Checks, Controller, checked};
 use crate::parameter::{Domain, Parameter, Precision};
 use crate::program::digits::Condition;
 use crate::program::machine::Machine;
@@ -33,7 +33,9 @@ pub(super) fn find(
 ) -> Found {
     let (spec, program) = (controller.spec(), controller.program);
     let mut draw = Draw(1);
-    let [fields, armed] = checked(controller);
+    let checks = checked(controller);
+    let armed = &checks.arm;
+    let (conditions, fields) = of_parameters(&checks);
     let mut found = Found::default();
     let usual = chosen.run_time(0.0625);
     let (start, zeros) = (chosen.value(Parameter::StartTime, 0.0625), vec![0.0; spec.given()]);
@@ -57,13 +59,17 @@ pub(super) fn find(
             break;
         }
     }
-    for (at, set) in first.into_iter().enumerate() {
+    let mut is_refused = false;
+    for ((at, set), condition) in first.into_iter().enumerate().zip(conditions) {
         match set {
-            Some(set) => found.parameters.push(set),
-            None => found.unreachable.push(Unreachable {
-                condition: Always::Init(at),
-                reason: reason(program, &fields, at),
-            }),
+            Some(set) => {
+                is_refused |= matches!(condition, Always::ArmFor(_));
+                found.parameters.push(set);
+            }
+            None => {
+                let reason = reason(program, &fields, at);
+                found.unreachable.push(Unreachable { condition, reason });
+            }
         }
     }
     // A fixed tau moves no finite start out of range, unless it is 2^970 or more.
@@ -74,10 +80,20 @@ pub(super) fn find(
             reason: "tau is fixed, and less than the last place of the greatest start".to_owned(),
         });
     }
-    if !spec.latches() {
+    if program.in_flight {
+        found.unreachable.push(Unreachable {
+            condition: Always::Written(spec.precision.finite_in_c("deadline")),
+            reason: "in arm_for: a legal tau is less than the last place of the greatest start"
+                .to_owned(),
+        });
+    }
+    if !spec.latches() && !is_refused {
         found.unreachable.push(Unreachable {
             condition: Always::Written("(status == PTC_OK)".to_owned()),
-            reason: "arm takes every start time that init takes".to_owned(),
+            reason: match program.in_flight {
+                true => "arm_for takes every start time and tau that init takes".to_owned(),
+                false => "arm takes every start time that init takes".to_owned(),
+            },
         });
     }
     let mut first: Vec<Option<(f64, Vec<f64>)>> = vec![None; armed.len()];
@@ -94,20 +110,35 @@ pub(super) fn find(
             t: start,
             x: &zeros,
         };
-        if let Some(index) = trial.first_failure(&armed) {
+        if let Some(index) = trial.first_failure(armed) {
             first[index].get_or_insert((start, x0));
         }
     }
     for (at, x0) in first.into_iter().enumerate() {
         match x0 {
             Some(x0) => found.states.push(x0),
-            None => found.unreachable.push(Unreachable {
-                condition: Always::Arm(at),
-                reason: reason(program, &armed, at),
-            }),
+            None => {
+                let both = checks.arm_for.iter().position(|check| *check == armed[at]);
+                let reason = reason(program, armed, at);
+                found.unreachable.extend(both.map(|both| Unreachable {
+                    condition: Always::ArmFor(both),
+                    reason: format!("in arm_for: {reason}"),
+                }));
+                found.unreachable.push(Unreachable { condition: Always::Arm(at), reason });
+            }
         }
     }
     found
+}
+
+/// The checks that parameters alone decide, in the order in which they are made: those of `init`, and those of `arm_for`
+/// that no start decides.
+fn of_parameters(checks: &Checks) -> (Vec<Always>, Vec<Condition>) {
+    let Checks { init, arm, arm_for } = checks;
+    let of_init = init.iter().enumerate().map(|(at, check)| (Always::Init(at), check.clone()));
+    let of_duration = arm_for.iter().enumerate().filter(|(_, check)| !arm.contains(check));
+    let of_duration = of_duration.map(|(at, check)| (Always::ArmFor(at), check.clone()));
+    of_init.chain(of_duration).unzip()
 }
 
 /// Why a value is never the first that is not finite, as far as it is known.

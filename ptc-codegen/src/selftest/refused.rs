@@ -55,6 +55,16 @@ fn illegal(spec: &Spec, chosen: &Chosen<'_>, parameter: Parameter) -> Vec<f64> {
     values
 }
 
+/// Durations that `arm_for` must refuse with the parameters of the first session.
+pub(super) fn durations(controller: &Controller<'_>, chosen: &Chosen<'_>) -> Vec<f64> {
+    if !controller.program.in_flight {
+        return Vec::new();
+    }
+    let mut durations = illegal(controller.spec(), chosen, Parameter::Tau);
+    durations.push(chosen.value(Parameter::Eps, chosen.least_eps()));
+    durations
+}
+
 /// States that cannot be latched, each with a start: each x_j not finite, alone.
 pub(super) fn states(spec: &Spec, start: f64) -> Vec<(f64, Vec<f64>)> {
     if !spec.latches() {

@@ -3,7 +3,8 @@
 use super::parameters::Chosen;
 use super::trial::Trial;
 use super::{Always, Unreachable};
-use crate::controller::{Controller, checked};
+use crate::controller::{Checks, Controller, checked};
+use crate::program::Value;
 use crate::program::digits::Condition;
 use crate::program::machine::Machine;
 
@@ -14,15 +15,9 @@ pub(super) fn never<'a>(
     machine: &Machine,
     sets: impl Iterator<Item = &'a Vec<f64>>,
 ) -> Vec<Unreachable> {
-    let [checks, _] = checked(controller);
-    let mut places = Vec::new();
-    let mut factors = Vec::new();
-    for (at, check) in checks.iter().enumerate() {
-        if let Condition::Kept(_, of) = check {
-            places.extend((0..of.len()).map(|factor| (at, factor)));
-            factors.extend(of);
-        }
-    }
+    let Checks { init, arm_for, .. } = checked(controller);
+    let factors = factors(&init, Always::NotZero).chain(factors(&arm_for, Always::NotZeroFor));
+    let (conditions, factors): (Vec<_>, Vec<_>) = factors.unzip();
     let zeros = vec![0.0; controller.spec().given()];
     let mut seen = vec![false; factors.len()];
     for parameters in sets {
@@ -32,10 +27,24 @@ pub(super) fn never<'a>(
             *seen |= number == 0.0;
         }
     }
-    let left = places.into_iter().zip(seen).filter(|(_, seen)| !seen);
-    left.map(|((at, factor), _)| Unreachable {
-        condition: Always::NotZero(at, factor),
+    let left = conditions.into_iter().zip(seen).filter(|(_, seen)| !seen);
+    left.map(|(condition, _)| Unreachable {
+        condition,
         reason: "it holds with none of the parameters tried".to_owned(),
     })
     .collect()
+}
+
+/// The condition of each factor of products that may be 0, and the factor.
+fn factors(
+    checks: &[Condition],
+    condition: fn(usize, usize) -> Always,
+) -> impl Iterator<Item = (Always, Value)> {
+    checks.iter().enumerate().flat_map(move |(at, check)| {
+        let own = match check {
+            Condition::Kept(_, factors) => factors.as_slice(),
+            _ => &[],
+        };
+        own.iter().enumerate().map(move |(factor, value)| (condition(at, factor), *value))
+    })
 }

@@ -86,7 +86,7 @@ impl Loop {
     /// The time after t0, at most `until`, of the last sample at which the controller is armed; 0 where it is not
     /// armed again.
     pub fn last_armed(&self, until: f64) -> f64 {
-        let arms = |event: &&Event| matches!(event.change, Change::Arm | Change::Deadline(_));
+        let arms = |event: &&Event| event.change.arms();
         let within = |at: &f64| *at <= until * (1.0 + SAME);
         self.events
             .iter()
@@ -102,6 +102,7 @@ impl Loop {
         let end = |event: &Event| match event.change {
             Change::Arm => self.sample_of(event) + tau,
             Change::Deadline(samples) => self.sample_of(event) + f64::from(samples) * self.period,
+            Change::Duration(tau) => self.sample_of(event) + tau,
             Change::Target { .. } => event.at,
             Change::Force { length, .. } => self.sample_from(self.sample_of(event) + length),
         };

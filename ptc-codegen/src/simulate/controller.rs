@@ -19,6 +19,8 @@ use crate::samples;
 pub struct Controller {
     emitted: Arc<Emitted>,
     instance: Instance,
+    /// The duration of the design.
+    tau: f64,
 }
 
 /// The code of a controller and what is called in it.
@@ -31,6 +33,8 @@ struct Emitted {
     /// Parameters left to run time.
     open: Vec<(Parameter, Slot)>,
     arm: Handle,
+    /// Start with a duration, of a controller with a clock in time.
+    arm_for: Option<Handle>,
     step: Handle,
     deadline: Option<Handle>,
 }
@@ -47,7 +51,11 @@ impl Controller {
     /// A law or an end that is a function of the user's program.
     pub fn new(spec: &Spec) -> Result<Self, Failure> {
         has_text(spec, true)?;
-        let spec = Spec { what: What::Controller, ..spec.clone() }.apart();
+        let mut spec = Spec { what: What::Controller, ..spec.clone() }.apart();
+        if spec.in_flight {
+            // The run begins with it.
+            spec.fixed.remove(&Parameter::Tau);
+        }
         let (code, program) = match spec.sampled() {
             Some(sampled) => (samples::controller(&spec, sampled, Vec::new()), None),
             None => {
@@ -56,12 +64,14 @@ impl Controller {
             }
         };
         let instance = Instance::blank(&code);
+        let arm_for = code.function("arm_for").filter(|_| spec.in_flight);
+        let arm_for = arm_for.map(|own| instance.handle(own.name));
         let slot = |parameter| Some((parameter, instance.slot(parameter)?));
         let open = spec.run_time_parameters().filter_map(slot).collect();
         let [arm, step] = ["arm", "step"].map(|name| instance.handle(name));
         let deadline = code.function("deadline").map(|own| instance.handle(own.name));
-        let emitted = Emitted { spec, program, code, open, arm, step, deadline };
-        Ok(Self { emitted: Arc::new(emitted), instance })
+        let emitted = Emitted { spec, program, code, open, arm, arm_for, step, deadline };
+        Ok(Self { emitted: Arc::new(emitted), instance, tau: f64::NAN })
     }
 
     /// Returns the result of a function without arguments, such as `estimate`; `None` where there is none.
@@ -88,11 +98,16 @@ impl Control for Controller {
         for (parameter, slot) in &self.emitted.open {
             self.instance.set(*slot, values.number(*parameter)?);
         }
+        self.tau = values.get(Parameter::Tau);
         self.instance.init(x0).map_err(|_| self.emitted.refused(values))
     }
 
     fn arm(&mut self, start: f64, x0: &[f64]) -> bool {
-        self.instance.perform(self.emitted.arm, &[&[start], x0]).number() >= 0
+        let armed = match self.emitted.arm_for {
+            Some(arm_for) => self.instance.perform(arm_for, &[&[start], &[self.tau], x0]),
+            None => self.instance.perform(self.emitted.arm, &[&[start], x0]),
+        };
+        armed.number() >= 0
     }
 
     fn step(&mut self, t: f64, x: &[f64]) -> (&[f64], Status) {
@@ -118,7 +133,13 @@ impl Emitted {
     fn refused(&self, values: &Values) -> Failure {
         let given = self.open.iter().map(|(parameter, _)| (*parameter, values.get(*parameter)));
         let Some(test) = self.code.refusing(given) else {
-            return Failure::not_armed(values.get(Parameter::StartTime));
+            // Of legal parameters `arm_for` refuses what `init` does of others.
+            let start = values.get(Parameter::StartTime);
+            let finite = (start + values.get(Parameter::Tau)).is_finite();
+            return match self.arm_for.filter(|_| finite) {
+                Some(_) => without_digits(self.spec.precision),
+                None => Failure::not_armed(start),
+            };
         };
         match self.tested(test) {
             Some(parameter) => self.outside(parameter, values),

@@ -92,9 +92,16 @@ impl SampleEvents {
                     let asked = f64::from(*samples);
                     let status = control.call("arm_for", &[&[now], &[asked], measured]);
                     if status != Some(Status::Ok) {
-                        return Err(refused(*samples, t, status));
+                        return Err(refused(&format!("{samples} samples"), t, status));
                     }
                     armed = Some(Some(asked * period));
+                }
+                Change::Duration(tau) => {
+                    let status = control.call("arm_for", &[&[now], &[*tau], measured]);
+                    if status != Some(Status::Ok) {
+                        return Err(refused(&format!("{tau} s"), t, status));
+                    }
+                    armed = Some(Some(*tau));
                 }
                 Change::Target { .. } | Change::Force { .. } => {}
             }
@@ -103,10 +110,10 @@ impl SampleEvents {
     }
 }
 
-fn refused(samples: u32, t: f64, status: Option<Status>) -> Failure {
+fn refused(length: &str, t: f64, status: Option<Status>) -> Failure {
     let status = status.map_or("none", Status::c_name);
     Failure::input(
-        format!("event at t = {t} s: arm_for refuses a deadline in {samples} samples, {status}"),
+        format!("event at t = {t} s: arm_for refuses a deadline in {length}, {status}"),
         "give a later one: `explain PTC_E_SOON` and `explain PTC_E_PARAM` say what is legal",
     )
 }

@@ -1,6 +1,7 @@
 //! FMUs as they are written: what is in the archive, that its XML is well-formed and agrees with the
 //! source, refusals, and the same bytes twice. `cargo assure fmu` simulates them.
 
+mod duration;
 mod importer;
 mod steering;
 

@@ -14,6 +14,7 @@ mod contradictions;
 mod controller_in_c;
 mod design;
 mod digits;
+mod duration;
 mod events;
 mod examined;
 mod expanded;

@@ -8,7 +8,7 @@ use super::{
     AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, FILTER, GANTRY, GUIDE, GUIDE_AXES,
     GUIDE_MODEL, GUIDE_QUADROTOR, GUIDE_TARGET, GUIDE_UNCERTAIN, GUIDE_VERIFY, MODELS, MOTOR,
     MOVES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE,
-    TANK, TRACK, VERIFY, blocks_of, folder, pages, shell,
+    TANK, TIME, TRACK, VERIFY, blocks_of, folder, pages, shell,
 };
 
 /// Returns the output of `line` in `folder`; a refused design is not a failure.
@@ -67,6 +67,8 @@ fn pages_show_what_is_printed() {
     let [flight, settled, gate, motor] = &blocks_of(SAMPLES, "toml")[..] else { panic!("designs") };
     let in_flight = ENCODER.replace("[params]", &format!("{flight}\n[params]"));
     fs::write(folder.join("flight.toml"), in_flight).expect("writable");
+    let [duration] = &blocks_of(TIME, "toml")[..] else { panic!("a design") };
+    fs::write(folder.join("duration.toml"), duration).expect("writable");
     let [moves, random] = &blocks_of(MOVES, "toml")[..] else { panic!("events") };
     let (keys, events) = moves.split_once("[[event]]").expect("keys and events");
     let moves = ENCODER.replace("[params]", &format!("{keys}\n[params]"));

@@ -3,7 +3,8 @@
  * its type, PARAMS its number of run-time parameters, REFERENCES the numbers of the
  * reference that it is given. LATCHES, LAW, AFTER and AXIS are 1 where the
  * controller latches x0, calls pi0, calls a law after the deadline, has tick and axis. RATE is 1
- * for the infinite-time system, with f = 1/4; u is then the last of its rates. */
+ * for the infinite-time system, with f = 1/4; u is then the last of its rates. IN_FLIGHT is 1 where it
+ * is armed again for three quarters of tau, the first of its parameters. */
 #include <stdint.h>
 #include <string.h>
 
@@ -11,16 +12,24 @@
 
 #define JOIN(a, b) a##b
 #define METHOD(name, method) JOIN(name, method)
+#define ARMED(name, method) METHOD(name, method)
 
 /* What a call must overwrite. */
 #define UNSET ((REAL)12345)
 
 #if LATCHES
 #define START , x0
-#define START_AGAIN , x
+#define STATE_AGAIN , x
 #else
 #define START
-#define START_AGAIN
+#define STATE_AGAIN
+#endif
+#if IN_FLIGHT
+#define ARM _arm_for
+#define START_AGAIN , (REAL)0.75 * record[0] STATE_AGAIN
+#else
+#define ARM _arm
+#define START_AGAIN STATE_AGAIN
 #endif
 #if REFERENCES
 #define REFERENCE , r
@@ -108,7 +117,7 @@ void DRIVE(const void *bytes, int32_t status[4], void *out)
             u[1] = (REAL)0;
         }
 #endif
-        status[3] = (int32_t)METHOD(NAME, _arm)(&self, t START_AGAIN);
+        status[3] = (int32_t)ARMED(NAME, ARM)(&self, t START_AGAIN);
         if (status[3] == 0) {
 #if RATE
             status[3] = (int32_t)METHOD(NAME, _rate)(&self, t, x, (REAL)0.25 LAW_ARGUMENT CONTEXT_ARGUMENT, xi_dot);

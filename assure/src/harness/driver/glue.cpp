@@ -10,10 +10,17 @@
 
 #if LATCHES
 #define START , x0
-#define START_AGAIN , x
+#define STATE_AGAIN , x
 #else
 #define START
-#define START_AGAIN
+#define STATE_AGAIN
+#endif
+#if IN_FLIGHT
+#define ARM arm_for
+#define START_AGAIN , static_cast<REAL>(0.75) * record[0] STATE_AGAIN
+#else
+#define ARM arm
+#define START_AGAIN STATE_AGAIN
 #endif
 #if REFERENCES
 #define REFERENCE , r
@@ -92,7 +99,7 @@ void DRIVE(const void* bytes, std::int32_t status[4], void* out)
         status[2] = static_cast<std::int32_t>(axis.status);
         u[1] = axis.u;
 #endif
-        status[3] = static_cast<std::int32_t>(self.arm(t START_AGAIN));
+        status[3] = static_cast<std::int32_t>(self.ARM(t START_AGAIN));
         if (status[3] == 0) {
 #if RATE
             const auto again = self.rate(t, x, static_cast<REAL>(0.25) LAW_ARGUMENT);

@@ -24,6 +24,7 @@ class Controller:
     after: bool
     has_axis: bool
     is_rate: bool
+    in_flight: bool
     references: int
 
     def records(self) -> Any:

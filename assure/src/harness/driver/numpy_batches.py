@@ -74,7 +74,11 @@ def batch(controller: manifest.Controller) -> Any:
             outcomes["status"][rows, 2], outcomes["u"][rows, 1] = axis.status, axis.u
         for row, start, state in zip(rows, t, x):
             try:
-                self.arm(start, *[state[: controller.n]] * controller.latches)
+                latched = [state[: controller.n]] * controller.latches
+                if controller.in_flight:
+                    self.arm_for(start, controller.real(0.75) * first[0], *latched)
+                else:
+                    self.arm(start, *latched)
             except ValueError:
                 outcomes["status"][row, 3] = -1
                 continue

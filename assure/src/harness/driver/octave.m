@@ -20,8 +20,8 @@ function drive(line)
     end
     lengths = cellfun(@(f) str2double(f{2}), layout);
     count = sum(max(1, lengths));
-    [latches, law, after, has_axis, is_rate] = num2cell(strcmp(words(7:11), '1')){:};
-    references = str2double(words{12});
+    [latches, law, after, has_axis, is_rate, in_flight] = num2cell(strcmp(words(7:12), '1')){:};
+    references = str2double(words{13});
     laws = {};
     if law
         laws{end + 1} = @user_law;
@@ -30,7 +30,7 @@ function drive(line)
         laws{end + 1} = @(x, t) -x(1);
     end
     addpath(folder);
-    functions = cellfun(@(f) str2func([name f]), {'_init', '_step', '_tick', '_axis', '_rate', '_arm'}, ...
+    functions = cellfun(@(f) str2func([name f]), {'_init', '_step', '_tick', '_axis', '_rate', ifelse(in_flight, '_arm_for', '_arm')}, ...
         'UniformOutput', false);
     [init, step, tick, axis_of, rate, arm] = functions{:};
     file = fopen([folder '/records.bin'], 'r');
@@ -72,8 +72,14 @@ function drive(line)
             if has_axis
                 [u(2), status(3)] = axis_of(tick(self, t), given{:});
             end
-            again = {t, x};
-            [self, status(4)] = started(name, arm, self, again{1:(1 + latches)});
+            again = {t};
+            if in_flight
+                again{end + 1} = cast(0.75, real) * record(1);
+            end
+            if latches
+                again{end + 1} = x;
+            end
+            [self, status(4)] = started(name, arm, self, again{:});
             if status(4) == 0
                 [u(3), status(4)] = call(self);
             end

@@ -55,13 +55,16 @@ def calls(controller: manifest.Controller) -> Any:
                     memory["r"] = list(rest[1 + n :])
                 block.execute(memory)
                 outcome["status"][1], outcome["u"][0] = memory["status"], memory["u"]
-                memory["arm"], memory["start_time"] = True, rest[0]
+                flag = "arm_for" if controller.in_flight else "arm"
+                memory[flag], memory["start_time"] = True, rest[0]
+                if controller.in_flight:
+                    memory["arm_for_tau"] = controller.real(0.75) * record[0]
                 if controller.latches:
                     memory["x0"] = list(rest[1 : 1 + n])
                 block.execute(memory)
                 outcome["status"][3] = memory["status"]
                 if memory["status"] == 0:
-                    memory["arm"] = False
+                    memory[flag] = False
                     block.execute(memory)
                     outcome["status"][3], outcome["u"][2] = memory["status"], memory["u"]
     return outcomes

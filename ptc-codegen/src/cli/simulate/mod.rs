@@ -58,10 +58,10 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
     let all = sources.flat_map(|source| request.x0.iter().map(move |x0| (source.clone(), x0)));
     for (source, x0) in all {
         let given = source.parse();
-        let (mut spec, plant) = given.read_with_plant()?;
+        let (mut spec, plant) = given.read_run()?;
         if !request.plant.is_empty() {
             // The controller is that of the design, whatever plant it runs with.
-            if let Ok((own, _)) = source.without_plant().parse().read_with_plant() {
+            if let Ok((own, _)) = source.without_plant().parse().read_run() {
                 spec.promises.plant = own.promises.plant;
             }
         }

@@ -32,7 +32,7 @@ impl Code {
         };
         seen.block(&self.init)?;
         if let Some(start) = &self.start {
-            seen.expression(&start.time)?;
+            start.numbers().try_for_each(|number| seen.expression(number))?;
         }
         self.functions.iter().try_for_each(|function| {
             let seen = self.seen_by(function);

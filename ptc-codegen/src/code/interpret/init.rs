@@ -75,16 +75,18 @@ impl Instance {
         self.own_init().and_then(|()| self.start(x0))
     }
 
-    /// `init` before it calls `arm`.
+    /// `init` before it arms.
     fn own_init(&mut self) -> Result<(), Status> {
         legal(self.run(|tape| &tape.init, &[]))
     }
 
-    /// The call of `arm` that ends `init`.
+    /// The call of `arm` or `arm_for` that ends `init`.
     fn start(&mut self, x0: &[f64]) -> Result<(), Status> {
-        let Some(time) = self.tape.start else { return Ok(()) };
-        let time = self.memory[time];
-        legal(self.perform(self.handle("arm"), &[&[time], x0]))
+        let Some(start) = &self.tape.start else { return Ok(()) };
+        let handle = self.handle(start.function);
+        let numbers: Vec<_> = start.numbers.iter().map(|slot| [self.memory[*slot]]).collect();
+        let given: Vec<_> = numbers.iter().map(<[f64; 1]>::as_slice).chain([x0]).collect();
+        legal(self.perform(handle, &given))
     }
 }
 

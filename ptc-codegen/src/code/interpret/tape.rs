@@ -16,9 +16,17 @@ pub(super) struct Tape {
     pub(super) fields: Vec<Named>,
     pub(super) gains: Vec<Named>,
     pub(super) init: Vec<Step>,
-    /// The start time, where `init` ends with a call of `arm`.
-    pub(super) start: Option<usize>,
+    /// The call that ends `init`, where there is one.
+    pub(super) start: Option<Begun>,
     pub(super) routines: Vec<Routine>,
+}
+
+/// The call of a function that ends `init`.
+#[derive(Debug)]
+pub(super) struct Begun {
+    pub(super) function: &'static str,
+    /// The slots of the numbers that it is given.
+    pub(super) numbers: Vec<usize>,
 }
 
 /// A variable in its slots.

@@ -64,7 +64,7 @@ struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     fn new(spec: &'a Spec, program: &'a Program, greatest: Option<&'a (Parameter, Fixed)>) -> Self {
-        Self { spec, program, greatest, plan: Plan::new(program), limits: program.limits }
+        Self { spec, program, greatest, plan: Plan::new(spec, program), limits: program.limits }
     }
 
     fn code(&self, head: Vec<String>, parameters: Vec<Variable>) -> Code {
@@ -91,6 +91,7 @@ impl<'a> Builder<'a> {
 impl Builder<'_> {
     fn functions(&self) -> Vec<crate::code::Function> {
         let mut functions = vec![self.arm()];
+        functions.extend(self.arm_for());
         if self.spec.what == What::Associated {
             functions.extend(self.associated());
             return functions;

@@ -1,4 +1,4 @@
-//! `init` and `arm`: parameters and start time to fields.
+//! `init`, `arm` and `arm_for`: parameters, start time and duration to fields.
 
 use super::body::{Body, body};
 use super::given::Given;
@@ -32,27 +32,34 @@ impl Builder<'_> {
         if !domain.is_empty() {
             statements.push(Statement::Require(Test::All(domain), Status::Param));
         }
-        let checks = digits::checks(self.spec, self.program);
-        let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
-        let mut body =
-            body(&self.plan, Routine::Init, Given { further: &values, ..Given::default() });
-        let mut checked = body.roots.split_off(body.roots.len() - values.len()).into_iter();
-        let kept = |check: &Condition| self.kept(check, &mut checked, &mut body.statements);
-        let kept = checks.iter().map(kept).collect();
-        statements.extend(self.fields(body, false, kept));
-        let armed = self.plan.fields.iter().filter(|field| field.armed);
+        let [checks, _] = digits::checks(self.spec, self.program);
+        statements.extend(self.checked_fields(Routine::Init, &checks, Vec::new()));
         let unset =
             |field: &Field| Statement::Set(Place::Field(field.name.clone()), Expr::integer(0));
-        statements.extend(armed.map(unset));
+        statements.extend(self.plan.set_by(Routine::ArmFor).map(unset));
         statements
     }
 
+    /// The fields of `routine`, where the `checks` and `tests` hold.
+    fn checked_fields(
+        &self,
+        routine: Routine,
+        checks: &[Condition],
+        mut tests: Vec<Test>,
+    ) -> Vec<Statement> {
+        let values: Vec<_> = checks.iter().flat_map(Condition::values).collect();
+        let mut body = body(&self.plan, routine, Given { further: &values, ..Given::default() });
+        let mut checked = body.roots.split_off(body.roots.len() - values.len()).into_iter();
+        let kept = |check: &Condition| self.kept(check, &mut checked, &mut body.statements);
+        tests.extend(checks.iter().map(kept));
+        self.fields(routine, body, tests)
+    }
+
     /// The statements of `body`, the tests of what is derived, and the fields.
-    fn fields(&self, body: Body, armed: bool, mut tests: Vec<Test>) -> Vec<Statement> {
+    fn fields(&self, routine: Routine, body: Body, mut tests: Vec<Test>) -> Vec<Statement> {
         let mut statements = body.statements;
-        let fields = self.plan.fields.iter().filter(|field| field.armed == armed);
         let mut set = Vec::new();
-        for (field, value) in fields.zip(body.roots) {
+        for (field, value) in self.plan.set_by(routine).zip(body.roots) {
             let mut value = value;
             if is_derived(self.program, field) {
                 if !matches!(value, Expr::Local(_)) {
@@ -112,7 +119,9 @@ impl Builder<'_> {
 
     /// Returns the end of `init`.
     pub(super) fn start(&self) -> Start {
-        Start { time: self.parameter(Parameter::StartTime), state: self.latched() }
+        let tau = self.program.in_flight.then(|| self.parameter(Parameter::Tau));
+        let time = self.parameter(Parameter::StartTime);
+        Start { time, duration: tau, state: self.latched() }
     }
 
     /// The state that is latched.
@@ -121,29 +130,74 @@ impl Builder<'_> {
     }
 
     pub(super) fn arm(&self) -> Function {
+        let mut statements = vec![Statement::Require(Test::All(self.legal_start()), Status::Param)];
+        statements.extend(self.checked_fields(Routine::Arm, &[], self.finite_deadline()));
+        let tau = if self.program.in_flight { ", with the tau last used" } else { "" };
+        self.starts("arm", format!("Starts again at t0 [s]{tau}"), None, statements)
+    }
+
+    /// `arm_for`, where the duration changes in flight.
+    pub(super) fn arm_for(&self) -> Option<Function> {
+        if !self.program.in_flight {
+            return None;
+        }
+        let given = [self.legal_start(), self.legal_duration()].concat();
+        let mut statements = vec![Statement::Require(Test::All(given), Status::Param)];
+        let [_, checks] = digits::checks(self.spec, self.program);
+        let fields = self.checked_fields(Routine::ArmFor, &checks, self.finite_deadline());
+        statements.extend(fields);
+        let about =
+            "Starts again at t0 [s] with another duration tau [s]: the deadline is t0 + tau";
+        let tau = Variable::new("tau", Shape::Real, "duration, s");
+        Some(self.starts("arm_for", about.to_owned(), Some(tau), statements))
+    }
+
+    /// Tests of the arguments of `arm`.
+    fn legal_start(&self) -> Vec<Test> {
         let mut given = vec![Test::Finite(Expr::local("t0"))];
         if self.spec.latches() {
             let state = |j| Test::Finite(Expr::Element("x0".to_owned(), j));
             given.extend((0..self.spec.states()).map(state));
         }
-        let mut statements = vec![Statement::Require(Test::All(given), Status::Param)];
-        let tests = match self.spec.what {
+        given
+    }
+
+    /// Tests of the duration that `arm_for` is given: those of `init`.
+    fn legal_duration(&self) -> Vec<Test> {
+        let mut tests = self.domain_of(Parameter::Tau);
+        if self.spec.what == What::Controller {
+            tests.push(Test::Less(self.field(self.limits.eps), Expr::local("tau")));
+        }
+        tests
+    }
+
+    fn finite_deadline(&self) -> Vec<Test> {
+        match self.spec.what {
             What::Associated => Vec::new(),
             _ => vec![Test::Finite(Expr::local("deadline"))],
-        };
-        statements.extend(self.fields(self.body(Routine::Arm, &[]), true, tests));
+        }
+    }
+
+    /// A function that starts at t0.
+    fn starts(
+        &self,
+        name: &'static str,
+        about: String,
+        duration: Option<Variable>,
+        body: Vec<Statement>,
+    ) -> Function {
         let latching = if self.spec.latches() { ", latching the state x0" } else { "" };
         let time = Variable::new("t0", Shape::Real, "start time, s");
         Function {
-            name: "arm",
-            about: format!("Starts again at t0 [s]{latching}."),
+            name,
+            about: format!("{about}{latching}."),
             owner: Owner::Controller,
             access: Access::Change,
-            arguments: std::iter::once(time).chain(self.latched()).collect(),
+            arguments: std::iter::once(time).chain(duration).chain(self.latched()).collect(),
             callbacks: Vec::new(),
             results: Vec::new(),
             failures: vec![Status::Param],
-            body: statements,
+            body,
             finish: Finish::done(),
             guarded: true,
         }
@@ -160,28 +214,9 @@ impl Builder<'_> {
     /// The tests of the run-time parameters' domains.
     fn domain(&self) -> Vec<Test> {
         let spec = self.spec;
-        let mut tests = Vec::new();
-        for parameter in spec.run_time_parameters() {
-            let value = || Expr::local(parameter_name(parameter));
-            let (least, greatest) = spec.ends(parameter).unwrap_or((0.0, f64::MAX));
-            let above = || Test::AtMost(self.number(least), value());
-            match spec.domain(parameter) {
-                Domain::Finite => tests.push(Test::Finite(value())),
-                Domain::Positive => {
-                    tests.push(Test::Finite(value()));
-                    tests.extend([above(), Test::AtMost(value(), self.number(greatest))]);
-                }
-                Domain::PositiveOrInfinite => tests.push(Test::Less(Expr::integer(0), value())),
-                Domain::BelowUMax | Domain::AboveUMin => {}
-                Domain::BelowTau => tests.push(above()),
-                Domain::Within => {
-                    let Some((least, greatest)) = spec.bounds.get(&parameter) else { continue };
-                    let number = |bound: &Fixed| bound.number().cloned().map(Expr::Number);
-                    tests.extend(number(least).map(|least| Test::AtMost(least, value())));
-                    tests.extend(number(greatest).map(|most| Test::AtMost(value(), most)));
-                }
-            }
-        }
+        let parameters = spec.run_time_parameters();
+        let mut tests: Vec<_> =
+            parameters.flat_map(|parameter| self.domain_of(parameter)).collect();
         if let Some((parameter, greatest)) = self.greatest
             && let Some(number) = greatest.number()
         {
@@ -199,5 +234,31 @@ impl Builder<'_> {
             tests.extend(limits_in_order(spec, &|parameter| self.parameter(parameter)));
         }
         tests
+    }
+
+    /// The tests of the domain of one of them, of its local value alone.
+    fn domain_of(&self, parameter: Parameter) -> Vec<Test> {
+        let spec = self.spec;
+        let value = || Expr::local(parameter_name(parameter));
+        let (least, greatest) = spec.ends(parameter).unwrap_or((0.0, f64::MAX));
+        let above = || Test::AtMost(self.number(least), value());
+        match spec.domain(parameter) {
+            Domain::Finite => vec![Test::Finite(value())],
+            Domain::Positive => {
+                vec![Test::Finite(value()), above(), Test::AtMost(value(), self.number(greatest))]
+            }
+            Domain::PositiveOrInfinite => vec![Test::Less(Expr::integer(0), value())],
+            Domain::BelowUMax | Domain::AboveUMin => Vec::new(),
+            Domain::BelowTau => vec![above()],
+            Domain::Within => {
+                let Some((least, greatest)) = spec.bounds.get(&parameter) else {
+                    return Vec::new();
+                };
+                let number = |bound: &Fixed| bound.number().cloned().map(Expr::Number);
+                let least = number(least).map(|least| Test::AtMost(least, value()));
+                let most = number(greatest).map(|most| Test::AtMost(value(), most));
+                least.into_iter().chain(most).collect()
+            }
+        }
     }
 }

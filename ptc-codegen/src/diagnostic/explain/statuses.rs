@@ -54,7 +54,7 @@ pub(super) static STATUSES: [Explanation; 11] = [
     },
     Explanation {
         code: "PTC_E_PARAM",
-        means: "A parameter is outside its domain. Or a coefficient that follows from the parameters overflows. `init` or `arm` changed nothing.",
+        means: "A parameter is outside its domain. Or a coefficient that follows from the parameters overflows. `init`, `arm` or `arm_for` changed nothing.",
         design: "",
         example: "eps >= tau, a tau that is not > 0, or a field of the C params that was not set and is 0",
         fix: "the comments of the params in the header give the domains; set every field",

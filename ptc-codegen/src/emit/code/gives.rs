@@ -52,3 +52,13 @@ impl Gives {
         }
     }
 }
+
+/// Returns what a function with a status alone requires, in words.
+pub(in crate::emit) fn required(function: &Function) -> String {
+    let list: Vec<_> = function.arguments.iter().map(|own| own.name.as_str()).collect();
+    let finite = format!("{}, and what follows, must be finite", list.join(" and "));
+    match list.contains(&"tau") {
+        true => format!("{finite}, and tau within its domain"),
+        false => finite,
+    }
+}

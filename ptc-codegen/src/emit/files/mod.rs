@@ -229,8 +229,12 @@ pub fn sampled_c(report: &Report) -> Code {
 
 /// The C files of a controller with contracts and case splits in comments, and a harness with which
 /// Frama-C's plug-in Eva proves that they have no error at run time.
-pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
-    c::files_with_proof(controller)
+///
+/// # Errors
+/// A duration that changes in flight, which has no contracts.
+pub fn emit_with_proof(controller: &Controller<'_>) -> Result<Vec<File>, Vec<Diagnostic>> {
+    has_contracts(controller.spec())?;
+    Ok(c::files_with_proof(controller))
 }
 
 /// The same of a controller in samples, from its [`sampled_c`].
@@ -238,15 +242,21 @@ pub fn emit_with_proof(controller: &Controller<'_>) -> Vec<File> {
 /// # Errors
 /// A deadline that changes in flight, which has no contracts.
 pub fn emit_sampled_with_proof(spec: &Spec, code: &Code) -> Result<Vec<File>, Vec<Diagnostic>> {
-    if let Some(flight) = spec.sampled().and_then(|own| own.flight.as_ref()) {
-        let mut found = Diagnostics::default();
-        let key = if flight.late == Late::Clip { "in_flight" } else { "late" };
+    has_contracts(spec)?;
+    Ok(c::sampled_files_with_proof(spec, code))
+}
+
+/// Refuses contracts of a deadline that changes in flight.
+fn has_contracts(spec: &Spec) -> Result<(), Vec<Diagnostic>> {
+    let mut found = Diagnostics::default();
+    let late = spec.sampled().and_then(|own| own.flight.as_ref()).map(|flight| flight.late);
+    if spec.in_flight || late.is_some() {
+        let key = if late.is_none_or(|late| late == Late::Clip) { "in_flight" } else { "late" };
         let message = "a deadline that changes in flight has no contracts yet";
         let help = format!("leave `{key}` out, or emit C without contracts");
         found.push("unsupported", key, None, message, help);
-        found.finish(Some(()))?;
     }
-    Ok(c::sampled_files_with_proof(spec, code))
+    found.finish(Some(()))
 }
 
 /// The mapping, its closed forms and the law of a controller in time, as they are in a head.

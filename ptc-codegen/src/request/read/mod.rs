@@ -2,6 +2,7 @@
 
 mod alone;
 mod axes;
+mod duration;
 mod entries;
 mod filter;
 mod law;
@@ -50,6 +51,20 @@ pub struct Entry {
 /// # Errors
 /// Every mistake in the entries, in their order.
 pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
+    read_for(entries, false)
+}
+
+/// Reads the spec of a controller that runs: a duration that changes in flight has its first value, which the code leaves
+/// open.
+///
+/// # Errors
+/// Every mistake in the entries, in their order.
+#[cfg(feature = "simulate")]
+pub fn read_run(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
+    read_for(entries, true)
+}
+
+fn read_for(entries: &[Entry], runs: bool) -> Result<Spec, Vec<Diagnostic>> {
     let mut reader = Reader::new(entries);
     let filter = reader.as_filter(entries);
     let plant = if filter.is_none() { reader.as_linear_plant(entries) } else { None };
@@ -59,6 +74,7 @@ pub fn read(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
     if filter.is_some() {
         reader.refuse_law(entries);
     }
+    reader.runs = runs;
     let spec = reader.spec();
     reader.found.finish(spec)
 }
@@ -74,12 +90,15 @@ struct Reader<'a> {
     mapping_is_read: bool,
     /// The rate a of the mapping `exp`, where it has a number.
     rate: Option<BigRational>,
+    /// True if the controller is to run, with a value of tau.
+    runs: bool,
 }
 
 impl<'a> Reader<'a> {
     fn new(entries: &'a [Entry]) -> Self {
         let (found, keys, params) = (Diagnostics::default(), BTreeMap::new(), BTreeMap::new());
-        let mut reader = Self { found, keys, params, mapping_is_read: false, rate: None };
+        let mut reader =
+            Self { found, keys, params, mapping_is_read: false, rate: None, runs: false };
         entries.iter().for_each(|entry| reader.admit(entry, entries));
         reader
     }

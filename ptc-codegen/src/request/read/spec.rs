@@ -114,6 +114,7 @@ impl<'a> Reader<'a> {
             after: after.unwrap_or(After::Hold),
             fixed: law.gains,
             bounds: BTreeMap::new(),
+            in_flight: false,
             u_min: false,
             poles: law.poles,
             written: self.written(),
@@ -146,7 +147,10 @@ impl<'a> Reader<'a> {
         match samples {
             true if whole => {}
             true => self.sampled(&mut spec, delay_law),
-            false => self.not_sampled(&spec),
+            false => {
+                self.not_sampled(&spec);
+                self.duration(&mut spec);
+            }
         }
         if spec.what != What::Filter {
             self.refuse_bounds();

@@ -27,6 +27,8 @@ pub enum Change {
     Arm,
     /// The deadline is so many samples later.
     Deadline(u32),
+    /// The deadline is so much later, in s, with a clock in time.
+    Duration(f64),
     /// The target of a chain moves.
     Target {
         /// The state that counts from it, from 0.
@@ -43,6 +45,13 @@ pub enum Change {
         /// The time for which it acts.
         length: f64,
     },
+}
+
+impl Change {
+    /// Returns true if the controller is given a deadline.
+    pub fn arms(self) -> bool {
+        matches!(self, Self::Arm | Self::Deadline(_) | Self::Duration(_))
+    }
 }
 
 /// The events of a design. Each number is known, or an interval of which a run takes one value.
@@ -71,8 +80,8 @@ pub struct Quantity {
 #[derive(Clone, Debug, PartialEq)]
 enum Action {
     Arm,
-    /// A new deadline after a time in s, counted in samples of a period.
-    Deadline(Quantity, f64),
+    /// A new deadline after a time in s, counted in samples of a period with a clock in samples.
+    Deadline(Quantity, Option<f64>),
     /// By how much the target of a state moves.
     Target(usize, Quantity),
     Force {
@@ -146,7 +155,8 @@ impl Action {
     fn change(&self, value: &mut dyn FnMut(&Quantity) -> f64) -> Change {
         match self {
             Self::Arm => Change::Arm,
-            Self::Deadline(tau, period) => Change::Deadline(samples(value(tau), *period)),
+            Self::Deadline(tau, Some(period)) => Change::Deadline(samples(value(tau), *period)),
+            Self::Deadline(tau, None) => Change::Duration(value(tau)),
             Self::Target(state, by) => Change::Target { state: *state, by: value(by) },
             Self::Force { input, size, length } => {
                 let size = value(size);

@@ -118,15 +118,20 @@ int main(void)
 
 /// Returns the numbers that the importer prints for a design.
 fn told(folder: &Path, design: &[&str], defines: &[&str]) -> Vec<f64> {
-    let common = ["--lang=fmu2", "--n=2", "--mu=exp(a=1)", "--clock=samples", "--sample-time=0.01"];
-    written(&[&common[..], &["--tau=1", "--name=stage"], design].concat(), folder);
+    let common = ["--n=2", "--mu=exp(a=1)", "--clock=samples", "--sample-time=0.01", "--tau=1"];
+    imported(folder, &[&common[..], design].concat(), MASTER, defines)
+}
+
+/// Returns the numbers that the importer `master` prints for a design.
+pub(super) fn imported(folder: &Path, design: &[&str], master: &str, defines: &[&str]) -> Vec<f64> {
+    written(&[&["--lang=fmu2", "--name=stage"], design].concat(), folder);
     let entries = entries(&folder.join("stage.fmu"));
     for name in ["stage.c", "stage.h", "stage_fmu.c"] {
         fs::write(folder.join(name), &entries[&format!("sources/{name}")]).expect("a file");
     }
     let source = text(&entries, "sources/stage_fmu.c");
     let token = source.lines().find_map(|line| line.strip_prefix("#define TOKEN "));
-    fs::write(folder.join("master.c"), MASTER).expect("a file");
+    fs::write(folder.join("master.c"), master).expect("a file");
     let program = folder.join("master");
     let mut compiler = Command::new("cc");
     compiler.arg("-DFMI2_FUNCTION_PREFIX=stage_").arg("-I").arg(folder);

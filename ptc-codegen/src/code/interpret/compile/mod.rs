@@ -6,7 +6,7 @@ mod statements;
 
 use std::collections::BTreeMap;
 
-use super::tape::{Ended, Named, Slots, Step, Tape};
+use super::tape::{Begun, Ended, Named, Slots, Step, Tape};
 use crate::code::{Code, Status, Table, Variable};
 use crate::internal::fault;
 use crate::program::{Arithmetic, number};
@@ -24,7 +24,10 @@ pub(super) fn compile(code: &Code, watched: bool) -> Tape {
     writer.fields = names(&fields);
     code.tables.iter().for_each(|table| writer.table(table));
     writer.block(&code.init);
-    let start = code.start.as_ref().map(|start| writer.slot(&start.time));
+    let start = code.start.as_ref().map(|start| Begun {
+        function: start.function(),
+        numbers: start.numbers().map(|number| writer.slot(number)).collect(),
+    });
     writer.steps.push(Step::Give(Ended::Known(Status::Ok)));
     let init = writer.finished();
     let own = [names(&fields), names(&gains)];

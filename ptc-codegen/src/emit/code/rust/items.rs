@@ -88,7 +88,9 @@ impl Rust<'_> {
 
     fn init(&mut self, kind: &str) {
         let (code, runtime) = (self.code, self.runtime);
-        self.out.words("/// ", &code.starts().replace("params.t0", "`params.t0`"));
+        let quoted = |text: String, name: &str| text.replace(name, &format!("`{name}`"));
+        let starts = ["params.t0", "params.tau"].into_iter().fold(code.starts(), quoted);
+        self.out.words("/// ", &starts);
         self.out.line("///");
         self.out.line("/// # Errors");
         self.out.line("/// `Param`: a parameter is outside its domain, or the coefficients derived from it leave the range.");
@@ -112,9 +114,10 @@ impl Rust<'_> {
             return self.out.close("}");
         };
         self.built("let mut built = Self", &fields, ";");
-        let mut list = vec![self.alone(&start.time)];
+        let mut list: Vec<_> = start.numbers().map(|number| self.alone(number)).collect();
         list.extend(state.map(|state| state.name.clone()));
-        self.out.line(format!("built.arm({})?;\nOk(built)", list.join(", ")));
+        let (called, list) = (start.function(), list.join(", "));
+        self.out.line(format!("built.{called}({list})?;\nOk(built)"));
         self.out.close("}");
     }
 
@@ -169,8 +172,10 @@ impl Rust<'_> {
         }
         if result.contains("Error") {
             let counts = function.arguments.iter().any(|own| own.shape == Shape::Count);
+            let lasts = function.arguments.iter().any(|own| own.name == "tau");
             let errors = function.failures.iter().map(|status| match status {
                 Status::Soon => "`Soon`: a limit could be exceeded with so few samples, or with any.",
+                Status::Param if lasts => "`Param`: an argument or what follows from it is not finite, or `tau` is outside its domain; nothing has changed.",
                 Status::Param if counts => "`Param`: the number of samples is out of its range.",
                 Status::Param => "`Param`: an argument or what follows from it is not finite; nothing has changed.",
                 Status::Input => "`Input`: an argument is not finite or out of its domain.",

@@ -137,7 +137,7 @@ fn predicates(controller: &Controller<'_>, program: &Code) -> String {
 
 /// Returns true if Eva sees that a field is finite: `init` or `arm` has called `isfinite` on the variable stored in it.
 fn is_seen(controller: &Controller<'_>, name: &str) -> bool {
-    let plan = Plan::new(controller.program);
+    let plan = Plan::new(controller.spec(), controller.program);
     let Some(field) = plan.fields.iter().find(|field| field.name == name) else { return false };
     let tested = |p| matches!(controller.spec().domain(p), Domain::Finite | Domain::Positive);
     match controller.program.get(field.value).op {

@@ -1,4 +1,4 @@
-//! Conditions of `init` and `arm` as C writes them, for the files around the controller.
+//! Conditions of `init`, `arm` and `arm_for` as C writes them, for the files around the controller.
 
 use super::super::legal::{checks, copies};
 use super::super::text::{Text, bare};
@@ -49,26 +49,50 @@ pub(in crate::emit) fn domain(code: &Code) -> Vec<Condition> {
         .collect()
 }
 
-/// The tests of what `init` and what `arm` form, one by one.
-pub(in crate::emit) fn start_tests(code: &Code) -> [Vec<String>; 2] {
+/// The tests of what `init`, `arm` and `arm_for` form, one by one.
+pub(in crate::emit) fn start_tests(code: &Code) -> [Vec<String>; 3] {
     let notes = Notes::default();
     let printer = C::new(code, &notes);
     let parts = |test: &Test| printer.parts(test);
-    let init = derived(&code.init);
-    let arm = code.function("arm").map(|arm| arm.body.as_slice()).unwrap_or_default();
-    // The given time and the deadline are tested apart.
-    let skipped =
-        usize::from(arm.iter().any(|s| matches!(s, Statement::Let(n, ..) if n == "deadline")));
-    let arm = required(arm).skip(1).flat_map(parts).skip(skipped);
-    [init.flat_map(parts).collect(), arm.collect()]
+    let init = derived(&code.init).flat_map(parts).collect();
+    let armed = |name| derived_at_start(body(code, name)).flat_map(parts).collect();
+    [init, armed("arm"), armed("arm_for")]
 }
 
-/// The tests whether a factor is 0, for each test of what `init` forms.
-pub(in crate::emit) fn zero_tests<'c>(code: &'c Code) -> Vec<Vec<String>> {
+fn body<'c>(code: &'c Code, name: &str) -> &'c [Statement] {
+    code.function(name).map(|function| function.body.as_slice()).unwrap_or_default()
+}
+
+/// The tests of what `arm` or `arm_for` forms. The arguments and the deadline are tested apart.
+fn derived_at_start(body: &[Statement]) -> impl Iterator<Item = &Test> {
+    let skipped =
+        usize::from(body.iter().any(|s| matches!(s, Statement::Let(n, ..) if n == "deadline")));
+    let tests = required(body).skip(1).flat_map(|test| match test {
+        Test::All(tests) => tests.as_slice(),
+        one => std::slice::from_ref(one),
+    });
+    tests.skip(skipped)
+}
+
+/// The tests whether a factor is 0, for each test of what `init` and what `arm_for` forms.
+pub(in crate::emit) fn zero_tests(code: &Code) -> [Vec<Vec<String>>; 2] {
+    let in_flight = body(code, "arm_for");
+    [
+        zeros(code, &code.init, derived(&code.init)),
+        zeros(code, in_flight, derived_at_start(in_flight)),
+    ]
+}
+
+/// The tests whether a factor is 0, for each of `tests`, which stand among `statements`.
+fn zeros<'c>(
+    code: &Code,
+    statements: &'c [Statement],
+    tests: impl Iterator<Item = &'c Test>,
+) -> Vec<Vec<String>> {
     let notes = Notes::default();
     let printer = C::new(code, &notes);
     let known = |wanted: &str| {
-        code.init.iter().find_map(|statement| match statement {
+        statements.iter().find_map(|statement| match statement {
             Statement::Let(name, _, value) if name == wanted => Some(value),
             _ => None,
         })
@@ -91,7 +115,7 @@ pub(in crate::emit) fn zero_tests<'c>(code: &'c Code) -> Vec<Vec<String>> {
         zeros.reverse();
         zeros
     };
-    let tests = derived(&code.init).flat_map(|test| match test {
+    let tests = tests.flat_map(|test| match test {
         Test::All(tests) => tests.as_slice(),
         one => std::slice::from_ref(one),
     });

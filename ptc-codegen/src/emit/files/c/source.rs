@@ -73,9 +73,10 @@ impl C<'_> {
         self.out.open(format!("if ({given}) {{"));
         self.nested(&code.init, &mut |this| {
             let Some(start) = &code.start else { return this.out.line("status = PTC_OK;") };
-            let mut list = vec!["&built".to_owned(), this.alone(&start.time)];
+            let mut list = vec!["&built".to_owned()];
+            list.extend(start.numbers().map(|number| this.alone(number)));
             list.extend(start.state.iter().map(|state| state.name.clone()));
-            this.out.line(format!("status = {name}_arm({});", list.join(", ")));
+            this.out.line(format!("status = {name}_{}({});", start.function(), list.join(", ")));
             this.out.line("if (status == PTC_OK) {\n    *self = built;\n}");
         });
         self.out.close("}");

@@ -6,7 +6,7 @@ use super::super::called::{calls, calls_library};
 use super::super::gives::Gives;
 use super::super::text::{Text, capital};
 use super::Cpp;
-use crate::code::{Code, Expr, Function, Owner, Shape, Subroutine, Variable};
+use crate::code::{Code, Expr, Function, Owner, Shape, Start, Subroutine, Variable};
 use crate::expression::Function as Math;
 use crate::parameter::type_name;
 
@@ -158,8 +158,9 @@ impl Cpp<'_> {
         let mut list = vec![format!("const Params&{params}")];
         let state = code.start.as_ref().and_then(|start| start.state.as_ref());
         list.extend(state.map(|state| format!("const State& {}", state.name)));
-        let arm = code.function("arm").is_some_and(calls_library);
-        let constant = if init_calls(code) || arm { "" } else { "constexpr " };
+        let armed = code.function(code.start.as_ref().map_or("arm", Start::function));
+        let calls = init_calls(code) || armed.is_some_and(calls_library);
+        let constant = if calls { "" } else { "constexpr " };
         let list = list.join(", ");
         self.out.line(format!("[[nodiscard]] {constant}Status init({list}) noexcept"));
         self.out.open("{");
@@ -174,9 +175,10 @@ impl Cpp<'_> {
                 self.prefix = "built.";
                 self.block(&code.init);
                 self.prefix = "";
-                let mut list = vec![self.alone(&start.time)];
+                let mut list: Vec<_> = start.numbers().map(|number| self.alone(number)).collect();
                 list.extend(state.map(|state| state.name.clone()));
-                self.out.line(format!("const Status status = built.arm({});", list.join(", ")));
+                let (called, list) = (start.function(), list.join(", "));
+                self.out.line(format!("const Status status = built.{called}({list});"));
                 self.out.line("if (status == Status::Ok) {\n    *this = built;\n}\nreturn status;");
             }
         }

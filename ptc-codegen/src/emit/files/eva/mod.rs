@@ -90,7 +90,7 @@ pub(super) fn harness(controller: &Controller<'_>, program: &Code) -> File {
         let having = calls.iter().filter(|call| call.arguments.iter().any(|a| a == argument));
         having.map(|call| call.text(&name, None)).collect()
     };
-    let [checks, _] = checked(controller);
+    let checks = checked(controller).init;
     let harness = Harness {
         name: &name,
         prefix: &prefix,

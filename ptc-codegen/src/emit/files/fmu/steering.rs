@@ -7,8 +7,10 @@ use crate::code::{Code, Function, Shape};
 use crate::request::Spec;
 use crate::samples::controller;
 
-/// Inputs that change a controller in samples while it runs.
+/// Inputs that change a controller while it runs.
 pub(super) struct Steering {
+    /// True with a clock in time, of which the duration alone changes.
+    pub(super) in_time: bool,
     /// Inputs that are numbers, members of `steering`.
     pub(super) inputs: Vec<Signal>,
     /// Inputs that are 0 or 1.
@@ -34,11 +36,15 @@ pub(super) struct Steering {
 impl Steering {
     /// Returns it for a spec whose deadline changes in flight.
     pub(super) fn of(spec: &Spec) -> Option<Self> {
+        if spec.changes_duration() {
+            return Some(Self::of_duration(spec));
+        }
         let sampled = spec.sampled().filter(|own| own.flight.is_some())?;
         let code = controller(spec, sampled, Vec::new());
         let known = code.function("assume").map_or(0, length);
         let first = spec.n + 1 - known;
         let mut steering = Self {
+            in_time: false,
             inputs: Vec::new(),
             switches: Vec::new(),
             target: spec.is_one_chain() && spec.reference.is_none(),
@@ -52,6 +58,25 @@ impl Steering {
         };
         steering.add_inputs(spec, first);
         Some(steering)
+    }
+
+    /// Returns it for a spec with a clock in time, whose duration changes.
+    fn of_duration(spec: &Spec) -> Self {
+        let mut steering = Self {
+            in_time: true,
+            inputs: Vec::new(),
+            switches: Vec::new(),
+            target: false,
+            moves: false,
+            judges: false,
+            applied: false,
+            known: 0,
+            disturbance: false,
+            estimates_x1: false,
+            soonest: None,
+        };
+        steering.add_inputs(spec, 1);
+        steering
     }
 
     fn add_inputs(&mut self, spec: &Spec, first: usize) {

@@ -182,7 +182,7 @@ const SOONEST: &str = "Soonest deadline, as a time from the start, that keeps th
 /// The numbers of a status.
 fn status(signals: &Signals) -> String {
     let known = "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to its limits, 3 after the deadline";
-    match &signals.steering {
+    match signals.steering.as_ref().filter(|own| !own.in_time) {
         None => known.to_owned(),
         Some(_) => format!(
             "{known}, 5 the deadline was put off, 6 no deadline was found that keeps the limits, -4 the deadline asked for is too soon and was not taken"

@@ -1,10 +1,17 @@
-//! The head's lines about a deadline that changes in flight.
+//! The head's lines about a deadline that changes in flight, with either clock.
 
 use num_traits::Zero;
 
 use crate::parameter::Fixed;
 use crate::request::{Flight, Late, Sampled, Spec};
 use crate::syntax::constant;
+
+/// Describes a duration that changes, with a clock in time.
+pub(super) fn of_duration(spec: &Spec) -> Option<String> {
+    spec.changes_duration().then(|| {
+        "In flight: arm_for starts again at t0 for another tau, at any time, and computes what follows from tau. arm keeps the tau last used: at first that of the parameters.".to_owned()
+    })
+}
 
 /// Describes what may change in flight, and the theorem from which deadlines are planned.
 pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {

@@ -2,7 +2,7 @@
 
 use super::super::block::{Block, Ends};
 use super::super::called::paired;
-use super::super::gives::Gives;
+use super::super::gives::{Gives, required};
 use super::super::legal::copies;
 use super::super::text::{Text, capital};
 use super::Matlab;
@@ -40,9 +40,11 @@ impl Matlab<'_> {
         self.block(&code.init);
         self.copies.clear();
         if let Some(start) = &code.start {
-            let mut list = vec!["self".to_owned(), self.alone(&start.time)];
+            let mut list = vec!["self".to_owned()];
+            list.extend(start.numbers().map(|number| self.alone(number)));
             list.extend(start.state.iter().map(|state| state.name.clone()));
-            self.out.line(format!("self = {name}_arm({});", list.join(", ")));
+            let called = start.function();
+            self.out.line(format!("self = {name}_{called}({});", list.join(", ")));
         }
         self.out.line("end");
         self.out.text()
@@ -119,8 +121,7 @@ impl Matlab<'_> {
         }
         self.arguments(function);
         if self.gives == Gives::Status {
-            let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
-            self.raises = Some(format!("{}, and what follows, must be finite", list.join(" and ")));
+            self.raises = Some(required(function));
         }
         self.block(&function.body);
         if self.gives == Gives::Gains {
@@ -205,7 +206,7 @@ impl Matlab<'_> {
         }
         if function.failures.contains(&Status::Range) {
             self.out.line(if self.gives == Gives::Progress { PROGRESS } else { STATUSES });
-            if self.code.is_filter() || self.code.function("arm_for").is_some() {
+            if self.code.is_filter() || self.code.function("deadline").is_some() {
                 self.out.line(INFEASIBLE);
             }
         }

@@ -1,7 +1,7 @@
 //! The class of the controller: its constructor, and functions of one call at a time.
 
 use super::super::block::{Block, Ends};
-use super::super::gives::Gives;
+use super::super::gives::{Gives, required};
 use super::super::legal::copies;
 use super::super::text::Text;
 use super::{Python, annotation};
@@ -48,9 +48,9 @@ impl Python<'_> {
         }
         self.out.leave();
         if let Some(start) = start {
-            let mut list = vec![self.alone(&start.time)];
+            let mut list: Vec<_> = start.numbers().map(|number| self.alone(number)).collect();
             list.extend(state.map(|state| state.name.clone()));
-            self.out.line(format!("self.arm({})", list.join(", ")));
+            self.out.line(format!("self.{}({})", start.function(), list.join(", ")));
         }
         self.out.leave();
     }
@@ -112,6 +112,7 @@ impl Python<'_> {
         } else {
             self.out.words("", &format!("\"\"\"{}", function.about));
             self.out.line(match self.gives {
+                Gives::Status if function.arguments.iter().any(|own| own.name == "tau") => "\nValueError where an argument or what follows from it is not finite, or tau is outside its\ndomain; the controller is left as it was.",
                 Gives::Status => "\nValueError where an argument or what follows from it is not finite; the controller\nis left as it was.",
                 Gives::Count => "\nValueError where an argument is not finite, or where there is none.",
                 Gives::Progress => "\nOn a negative status nothing has changed.",
@@ -138,8 +139,7 @@ impl Python<'_> {
             }
         }
         if self.gives == Gives::Status {
-            let list: Vec<_> = function.arguments.iter().map(|a| a.name.as_str()).collect();
-            self.raises = Some(format!("{}, and what follows, must be finite", list.join(" and ")));
+            self.raises = Some(required(function));
         }
         let inputs = self.code.axes().filter(|_| function.finish == Finish::Stands);
         if let Some(count) = inputs {

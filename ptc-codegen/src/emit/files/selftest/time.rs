@@ -40,7 +40,7 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         .sessions
         .iter()
         .map(|session| {
-            let text = numbers.session(session, first);
+            let text = numbers.session(session, first, controller.program.in_flight);
             first += session.calls.len();
             text
         })
@@ -65,6 +65,12 @@ pub(in crate::emit) fn files(controller: &Controller<'_>, test: &SelfTest) -> Ve
         axis_pointers: pointers(spec),
         numbers_axes: program.numbers_axes(),
         tau_is_kept: test.tau_is_kept,
+        in_flight: controller.program.in_flight,
+        durations: &test
+            .refused_durations
+            .iter()
+            .map(|tau| numbers.number(*tau))
+            .collect::<Vec<_>>(),
         sessions: &sessions,
         calls: &calls.iter().map(|call| numbers.call(call, spec, has_gains)).collect::<Vec<_>>(),
         refused: &test.refused.iter().map(|set| numbers.parameters(set)).collect::<Vec<_>>(),
@@ -106,25 +112,36 @@ fn expected(spec: &Spec) -> [String; 2] {
     ]
 }
 
+/// The tests of `init`, `arm` and `arm_for`, and of the factors in `init` and in `arm_for`, in C.
+type Tests = ([Vec<String>; 3], [Vec<Vec<String>>; 2]);
+
 /// The text of a condition.
-fn text(always: &Always, ([init, arm], zero): &([Vec<String>; 2], Vec<Vec<String>>)) -> String {
+fn text(always: &Always, ([init, arm, arm_for], zeros): &Tests) -> String {
     match always {
         Always::Init(at) => init[*at].clone(),
         Always::Arm(at) => arm[*at].clone(),
-        Always::NotZero(at, factor) => zero[*at][*factor].clone(),
+        Always::ArmFor(at) => arm_for[*at].clone(),
+        Always::NotZero(at, factor) => zeros[0][*at][*factor].clone(),
+        Always::NotZeroFor(at, factor) => zeros[1][*at][*factor].clone(),
         Always::Written(text) => text.clone(),
     }
 }
 
 impl Numbers<'_> {
-    fn session(&self, session: &Session, first: usize) -> String {
+    fn session(&self, session: &Session, first: usize, in_flight: bool) -> String {
         let mut fields = vec![format!(".params = {{{}}}", self.parameters(&session.parameters))];
         if !session.x0.is_empty() {
             fields.push(format!(".x0 = {{{}}}", self.list(&session.x0)));
         }
+        let again = session.again;
+        if in_flight {
+            let tau = again.and_then(|again| again.duration);
+            fields.push(format!(".tau = {}", self.number(tau.unwrap_or(0.0))));
+            fields.push(format!(".is_armed_for = {}U", u8::from(tau.is_some())));
+        }
         fields.extend([
-            format!(".t0 = {}", self.number(session.again.unwrap_or(0.0))),
-            format!(".is_armed_again = {}U", u8::from(session.again.is_some())),
+            format!(".t0 = {}", self.number(again.map_or(0.0, |again| again.start))),
+            format!(".is_armed_again = {}U", u8::from(again.is_some_and(|again| again.arms))),
             format!(".first = {first}U"),
             format!(".count = {}U", session.calls.len()),
         ]);
@@ -203,6 +220,9 @@ struct Source<'a> {
     /// Calls of `axis` of which each lacks a pointer: gains, x, r and u.
     axis_pointers: Vec<[&'static str; 4]>,
     tau_is_kept: bool,
+    /// True if `arm_for` is called too, and the durations that it must refuse.
+    in_flight: bool,
+    durations: &'a [String],
     /// The fields of each entry of the tables.
     sessions: &'a [String],
     calls: &'a [String],

@@ -7,8 +7,11 @@ use super::super::text::{Lines, Text};
 use super::library::{Kind, Library, Member, Scope, Section, Unit};
 use super::target::{factors, literal};
 use super::{StructuredText, helpers};
-use crate::code::{Expr, Function, Shape, Status};
+use crate::code::{Expr, Function, Shape, Start, Status};
 use crate::internal::fault;
+
+/// The input that holds the duration of `arm_for`.
+const FOR_TAU: &str = "arm_for_tau";
 
 impl StructuredText<'_> {
     fn function(&self, name: &str) -> &Function {
@@ -81,8 +84,8 @@ impl StructuredText<'_> {
                 self.out.close("END_IF;");
             }
         }
-        let (arm, step) = (self.function("arm").clone(), self.call().clone());
-        self.start(&arm);
+        let (starting, step) = (self.starting().clone(), self.call().clone());
+        self.start(&starting);
         self.out.turn("ELSIF NOT ready THEN");
         self.settle(Status::Input.number());
         self.owner = "self";
@@ -97,31 +100,55 @@ impl StructuredText<'_> {
         self.out.text().trim_end().to_owned()
     }
 
+    /// Returns the function that every start runs: `arm`, or `arm_for`, where `arm` gives it the tau that is kept.
+    fn starting(&self) -> &Function {
+        self.function(self.code.start.as_ref().map_or("arm", Start::function))
+    }
+
+    /// Returns true if a start may be given another duration.
+    fn lasts(&self) -> bool {
+        self.code.start.as_ref().is_some_and(|start| start.duration.is_some())
+    }
+
     /// Prints `init` and `arm`: the fields are built separately, so that a call that fails changes nothing.
-    fn start(&mut self, arm: &Function) {
+    fn start(&mut self, starting: &Function) {
         let code = self.code;
-        self.out.open("IF init OR arm THEN");
+        self.out.open(match self.lasts() {
+            true => "IF init OR arm OR arm_for THEN",
+            false => "IF init OR arm THEN",
+        });
         self.settle(Status::Param.number());
         self.owner = "built";
         self.out.open("IF init THEN");
         self.block(&code.init);
         if let Some(start) = &code.start {
-            let (t0, time) = (self.local("t0"), self.alone(&start.time));
-            if t0 != time {
-                self.out.line(format!("{t0} := {time};"));
+            for (name, number) in ["t0", "tau"].into_iter().zip(start.numbers()) {
+                let (own, number) = (self.local(name), self.alone(number));
+                if own != number {
+                    self.out.line(format!("{own} := {number};"));
+                }
             }
         }
         self.out.turn("ELSIF ready THEN");
         self.out.line("built := self;");
         match code.start {
             Some(_) => self.out.line(format!("{} := start_time;", self.local("t0"))),
-            None => self.block(&arm.body),
+            None => self.block(&starting.body),
+        }
+        if self.lasts() {
+            let tau = self.local("tau");
+            self.out.open("IF arm_for THEN");
+            self.out.line(format!("{tau} := {FOR_TAU};"));
+            self.out.turn("ELSE");
+            let kept = self.field("tau");
+            self.out.line(format!("{tau} := {kept};"));
+            self.out.close("END_IF;");
         }
         self.out.turn("ELSE");
         self.out.line("RETURN;");
         self.out.close("END_IF;");
         if code.start.is_some() {
-            self.block(&arm.body);
+            self.block(&starting.body);
         }
         self.out.line("self := built;");
         self.owner = "self";
@@ -170,7 +197,13 @@ impl StructuredText<'_> {
             None => inputs.push(flag("arm", "start again at tick k")),
             Some(start) => {
                 inputs.push(flag("arm", "start again at start_time"));
+                if self.lasts() {
+                    inputs.push(flag("arm_for", "start again at start_time for arm_for_tau"));
+                }
                 inputs.push(Member::new("start_time", Kind::Elementary(self.real), "s"));
+                if self.lasts() {
+                    inputs.push(Member::new(FOR_TAU, Kind::Elementary(self.real), "duration, s"));
+                }
                 inputs.extend(start.state.as_ref().map(|state| {
                     let about = format!("{}, latched by init and arm", state.about);
                     Member::new(state.name.clone(), self.kind(state.shape), about)
@@ -188,12 +221,15 @@ impl StructuredText<'_> {
     fn temporary(&self) -> Vec<Member> {
         let (code, step, commands) = (self.code, self.call(), self.commands());
         let mut locals = BTreeMap::new();
-        let own = [&code.init, &self.function("arm").body, &step.body];
+        let own = [&code.init, &self.starting().body, &step.body];
         for body in own.into_iter().chain(commands.iter().map(|command| &command.body)) {
             declared(body, &mut locals);
         }
         if code.start.is_some() {
             locals.insert("t0".to_owned(), Shape::Real);
+        }
+        if self.lasts() {
+            locals.insert("tau".to_owned(), Shape::Real);
         }
         let local =
             |(name, shape): (String, _)| Member::new(self.local(&name), self.kind(shape), "");

@@ -132,10 +132,15 @@ pub(super) fn about(code: &Code, real: &str, commands: Option<String>) -> String
         None => ("at tick 0", "tick k", "once for each tick k"),
         Some(_) => ("at params.t0 (or the fixed t0)", "start_time", "at each time t"),
     };
+    let lasts = code.start.as_ref().is_some_and(|start| start.duration.is_some());
+    let (lasting, neither) = match lasts {
+        true => ("\nwith arm_for the same for the duration arm_for_tau;", "none of them"),
+        false => ("", "neither"),
+    };
     let calls = format!(
         "\
 Call it with init once, which takes params and starts {start};
-with arm to start again at {again}; then with neither, {call}.
+with arm to start again at {again};{lasting} then with {neither}, {call}.
 One call does one of these."
     );
     let commands = commands.map_or(String::new(), |text| format!("\n{text}"));
@@ -159,7 +164,7 @@ status; on a negative one u is 0 and nothing has changed; u is 0 after init and 
   -3  u not finite
 {infeasible}Numbers are those of IEEE 754; an infinite u_max is given as the greatest finite number."
     );
-    if code.function("arm_for").is_some() {
+    if code.function("deadline").is_some() {
         text.push_str("\n\n");
         text.push_str(FLIGHT);
     }

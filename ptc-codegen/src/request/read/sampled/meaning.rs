@@ -6,7 +6,7 @@ use crate::parameter::Parameter;
 use crate::request::{After, Feedback, Guard, Spec, What};
 
 /// The keys that have a meaning for a clock in samples alone.
-const OWN: [&str; 24] = [
+const OWN: [&str; 19] = [
     "A",
     "B",
     "C",
@@ -26,12 +26,10 @@ const OWN: [&str; 24] = [
     "coast",
     "observer",
     "disturbance_walk",
-    "in_flight",
-    "late",
-    "pace",
-    "state_max",
-    "reserve",
 ];
+
+/// The keys of a planned deadline.
+const PLANNED: [&str; 4] = ["late", "pace", "state_max", "reserve"];
 
 impl Reader<'_> {
     /// The keys of the other clock.
@@ -56,6 +54,20 @@ impl Reader<'_> {
                 self.wrong(key, Some(node.place), message, help);
             }
         }
+        self.not_planned();
+    }
+
+    /// Refuses a planned deadline: what u does between two calls is known in samples alone.
+    fn not_planned(&mut self) {
+        let given = PLANNED.into_iter().filter(|key| self.keys.contains_key(key));
+        let given: Vec<_> = given.collect();
+        let Some(first) = given.first() else { return };
+        let keys: Vec<_> = given.iter().map(|key| format!("`{key}`")).collect();
+        let verb = if given.len() == 1 { "needs" } else { "need" };
+        let message = format!("{} {verb} a clock in samples", keys.join(", "));
+        let help = "a deadline is planned from the exact law at each sample, and with a clock in time nothing is known of u between two calls: give `clock` = samples, or `in_flight` = true alone, whose `arm_for` changes tau without a plan";
+        let place = self.keys.get(first).map(|node| node.place);
+        self.wrong(first, place, message, help.to_owned());
     }
 
     /// Rejects the keys that need a clock in time.

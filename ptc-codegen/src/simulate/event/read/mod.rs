@@ -202,16 +202,21 @@ impl Reader<'_> {
     fn deadline(&mut self, table: Table<'_>, given: &Given<'_>) -> Option<Action> {
         let node = given.get("tau")?;
         let tau = self.quantity(table, "tau", given, TIME)?;
-        let flies = self.spec.sampled().is_some_and(|own| own.flight.is_some());
+        let in_samples = self.spec.sampled();
+        let flies = in_samples.map_or(self.spec.in_flight, |own| own.flight.is_some());
         let help = "a deadline changes with in_flight = true, or with `late`; arm = true starts with tau of the design again";
         if !self.needs(table.key, "tau", node, flies, help) {
             return None;
+        }
+        if in_samples.is_none() {
+            return Some(Action::Deadline(tau, None));
         }
         let period = self.spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number)?;
         let period = period.to_f64()?;
         let legal = |tau: f64| (1..=MAX_SAMPLES).contains(&samples(tau, period));
         let help = "give at least one sample, and at most 2^31";
         let is_legal = legal(tau.low) && legal(tau.high);
-        self.needs(table.key, "tau", node, is_legal, help).then_some(Action::Deadline(tau, period))
+        self.needs(table.key, "tau", node, is_legal, help)
+            .then_some(Action::Deadline(tau, Some(period)))
     }
 }

@@ -1,7 +1,7 @@
 //! Behaviour of a controller at its limits: after the deadline, at the bound of u, with wrong inputs.
 
 use super::super::precision::{self, is_library};
-use super::super::{Controller, Language};
+use super::super::{Controller, Language, flight};
 use crate::program::Op;
 use crate::program::range::Range;
 use crate::request::{After, Feedback, Guard, Spec};
@@ -24,6 +24,7 @@ pub(super) fn behaviour(controller: &Controller<'_>, language: Language) -> Vec<
             "From t0 + tau - eps on, {held} (status HOLD). From t0 + tau on, u is the result of the user-defined function after (status AFTER)."
         ),
     });
+    lines.extend(flight::of_duration(spec));
     lines.push(limits_of_u(spec, "Prolonged saturation voids the deadline."));
     let [given, any] = match spec.references() {
         0 => ["t and x", "t or x"],

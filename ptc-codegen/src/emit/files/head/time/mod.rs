@@ -4,7 +4,7 @@ mod behaviour;
 mod purpose;
 
 use super::declared::{declared, meaning};
-use super::{Controller, Language, axes, formulas};
+use super::{Controller, Language, axes, flight, formulas};
 use crate::check::Verdict;
 use crate::check::examine::{Report, held_period};
 use crate::controller::measured::Measured;
@@ -39,6 +39,7 @@ pub(in crate::emit) fn lines(controller: &Controller<'_>, language: Language) ->
         rest.push("xi_i' = xi_(i+1), xi_n' = mu'(t - t0)^n f + pi0(xi, t), in stretched time t. x = BB_n[mu] xi is the state of the plant, and f its f(x, u, t). Use it to design and simulate pi0.".to_owned());
         rest.push(format!("  pi0 = {}", formulas::pi0(spec)));
         rest.extend(parameters(controller, language));
+        rest.extend(flight::of_duration(spec));
         rest.extend(formulas::mapping(controller));
     } else {
         rest.extend(purpose(spec));
