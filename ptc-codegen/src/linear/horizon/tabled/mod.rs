@@ -316,3 +316,6 @@ fn spacing(left: u32) -> u32 {
 pub(crate) fn node_from(left: u32) -> u32 {
     left.next_multiple_of(spacing(left))
 }
+
+#[cfg(test)]
+mod tests;
