@@ -112,6 +112,10 @@ pub fn command(line: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
     cli::run(line)
 }
 
+#[cfg(feature = "lab")]
+#[doc(hidden)]
+pub use cli::{Shown, card};
+
 #[doc(hidden)]
 pub use accepted::{Accepted, macro_items};
 #[cfg(feature = "files")]

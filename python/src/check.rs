@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::design::Design;
 use crate::failure::internal;
 
-/// A check as the arguments of `ptc.Check`.
+/// A check as the arguments of `ptc_codegen.Check`.
 type Told = (&'static str, &'static str, String, Vec<String>, Option<String>);
 
 /// Its checks, the names of those that refuse the design and of those that are undecided, the last line of the report

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
+use num_traits::ToPrimitive;
 use ptc_codegen::Accepted;
 use ptc_codegen::check::examine::examine;
 use ptc_codegen::check::resolved::{Choice, Resolved};
@@ -11,16 +12,16 @@ use ptc_codegen::diagnostic::{Diagnostic, LARGE, Place};
 use ptc_codegen::emit::Language;
 use ptc_codegen::internal::guarded;
 use ptc_codegen::limits::{DESIGN, ENTRIES};
-use ptc_codegen::plant::{Plant, read_design};
+use ptc_codegen::plant::{Plant, as_one, read_design};
 use ptc_codegen::request::{Entry, Spec};
-use ptc_codegen::syntax::parse;
+use ptc_codegen::syntax::{Value, parse};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::failure::{internal, mistake, mistakes};
 
 /// A design that can be read.
-#[pyclass(frozen, module = "ptc._ptc")]
+#[pyclass(frozen, module = "ptc_codegen._ptc")]
 pub(crate) struct Design {
     text: String,
     /// Where in the text each place is; what is given beside it is in no line.
@@ -61,6 +62,27 @@ impl Design {
         self.given.clone()
     }
 
+    /// The design with other values of some keys.
+    fn replace(&self, py: Python<'_>, given: Vec<(String, String)>) -> PyResult<Self> {
+        let stays =
+            |key: &str| given.iter().all(|(other, _)| !overrides(canonical(other), canonical(key)));
+        let kept = self.given.iter().filter(|(key, _)| stays(key)).cloned();
+        let all: Vec<_> = kept.chain(given.iter().cloned()).collect();
+        Self::new(py, &self.text, all)
+    }
+
+    /// The value of a key that is one number.
+    fn number(&self, key: &str) -> Option<f64> {
+        let entry = self.entries.iter().find(|entry| entry.key == canonical(key))?;
+        let Value::Number(value) = &entry.value.value else { return None };
+        value.number().and_then(ToPrimitive::to_f64)
+    }
+
+    /// A state at t0 to show it with.
+    fn start(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
+        py.detach(|| guarded(|| self.joined().example_start())).map_err(|fault| internal(&fault))
+    }
+
     /// The name of the controller.
     #[getter]
     fn name(&self) -> String {
@@ -89,7 +111,7 @@ impl Design {
     /// The names of the states of the plant.
     #[getter]
     fn states(&self) -> Vec<String> {
-        self.spec.state_names()
+        self.joined().state_names()
     }
 }
 
@@ -97,6 +119,11 @@ impl Design {
     /// The exception of mistakes in it.
     pub(crate) fn wrong(&self, py: Python<'_>, found: Vec<Diagnostic>) -> PyErr {
         mistakes(py, found, &self.text, &self.places)
+    }
+
+    /// Its spec, with several axes as one plant.
+    fn joined(&self) -> Spec {
+        as_one(self.spec.clone(), self.plant.clone()).0
     }
 
     /// Whether `key` is given beside the text.

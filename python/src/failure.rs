@@ -9,17 +9,18 @@ use ptc_codegen::simulate::{Cause, Failure};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
-/// An exception of the module `ptc._errors`.
+/// An exception of the module `ptc_codegen._errors`.
 fn exception<'py>(
     py: Python<'py>,
     name: &str,
     arguments: impl pyo3::call::PyCallArgs<'py>,
 ) -> PyErr {
-    let made = py.import("ptc._errors").and_then(|errors| errors.getattr(name)?.call1(arguments));
+    let made =
+        py.import("ptc_codegen._errors").and_then(|errors| errors.getattr(name)?.call1(arguments));
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
-/// A mistake as the arguments of `ptc.Mistake`: line, code, key, message and help.
+/// A mistake as the arguments of `ptc_codegen.Mistake`: line, code, key, message and help.
 type Told = (Option<usize>, &'static str, String, String, String);
 
 /// The mistakes in a design, each with its line in `text`.

@@ -1,11 +1,12 @@
-//! The Python module `ptc._ptc`: designs, and what the command does with them, as plain Python values.
+//! The Python module `ptc_codegen._ptc`: designs, and what the command does with them, as plain Python values.
 //!
-//! `python/ptc` puts types, defaults and documentation around it. Arrays are given as the bytes of
+//! `python/ptc_codegen` puts types, defaults and documentation around it. Arrays are given as the bytes of
 //! their doubles, so that NumPy is no dependency of this crate.
 
 mod check;
 mod design;
 mod failure;
+mod picture;
 mod simulate;
 mod verify;
 mod watch;
@@ -22,7 +23,7 @@ fn command(py: Python<'_>, line: Vec<OsString>) -> u8 {
     py.detach(|| ptc_codegen::command(line))
 }
 
-/// What `ptc` is made of.
+/// What `ptc_codegen` is made of.
 #[pymodule]
 mod _ptc {
     #[pymodule_export]
@@ -32,7 +33,9 @@ mod _ptc {
     #[pymodule_export]
     use super::design::{Design, emit};
     #[pymodule_export]
+    use super::picture::{card, draw};
+    #[pymodule_export]
     use super::simulate::simulate;
     #[pymodule_export]
-    use super::verify::{merge, part, verify};
+    use super::verify::{merge, part, signals, verify};
 }

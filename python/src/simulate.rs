@@ -5,6 +5,7 @@ use ptc_codegen::check::resolved::Resolved;
 use ptc_codegen::internal::guarded;
 use ptc_codegen::parameter::Parameter;
 use ptc_codegen::plant::{self, Plant};
+use ptc_codegen::plot::Quantity;
 use ptc_codegen::reference::Status;
 use ptc_codegen::request::Spec;
 use ptc_codegen::simulate::record::{self, Asked, Row, instant};
@@ -26,14 +27,17 @@ pub(crate) fn bytes<'py>(
     PyByteArray::new(py, &bytes)
 }
 
-/// The arguments of `ptc.Run`, and what it warns of.
+/// The arguments of `ptc_codegen.Run`, and what it warns of.
 #[derive(IntoPyObject)]
 pub(crate) struct Told<'py> {
     tau: f64,
     t0: f64,
     states: Vec<String>,
     inputs: Vec<String>,
+    /// The unit of each state and of each input, where it is known.
+    units: Vec<Option<String>>,
     t: Bound<'py, PyByteArray>,
+    stretched: Bound<'py, PyByteArray>,
     x: Bound<'py, PyByteArray>,
     u: Bound<'py, PyByteArray>,
     /// Of the sampled loop.
@@ -57,6 +61,7 @@ struct Course {
 #[derive(Default)]
 struct Kept {
     t: Vec<f64>,
+    stretched: Vec<f64>,
     x: Vec<f64>,
     u: Vec<f64>,
     measured: Vec<f64>,
@@ -74,6 +79,7 @@ impl Kept {
         }
         if row.reported {
             self.t.push(row.t);
+            self.stretched.push(row.stretched);
             self.x.extend(&row.x);
             self.u.extend(&row.u);
             self.measured.extend(&row.measured);
@@ -134,13 +140,16 @@ pub(crate) fn simulate<'py>(
         .map_err(|failure| ended(py, failure))?;
     let held = course.around.is_some();
     let warnings = warnings(report.as_ref(), kept.refused);
-    let Kept { t, x, u, measured, status, .. } = kept;
+    let Kept { t, stretched, x, u, measured, status, .. } = kept;
+    let quantities = Quantity::states(spec).into_iter().chain(Quantity::inputs(spec));
     Ok(Told {
         tau: course.values.get(Parameter::Tau),
         t0: course.values.get(Parameter::StartTime),
         states: spec.state_names(),
         inputs: spec.input_names(),
+        units: quantities.map(|own| own.unit).collect(),
         t: bytes(py, t),
+        stretched: bytes(py, stretched),
         x: bytes(py, x),
         u: bytes(py, u),
         y: held.then(|| bytes(py, measured)),

@@ -4,12 +4,13 @@ use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use ptc_codegen::internal::fault;
+use ptc_codegen::plot::Quantity;
 use ptc_codegen::request;
 use ptc_codegen::simulate::Failure;
 use ptc_codegen::verify::record::{Row, hash};
 use ptc_codegen::verify::{
-    Campaign, Drawn, ENGINE, End, Instant, Judged, Known, Objective, Summary, Trial, chunks,
-    possible, read_with_plant, sample, shard, summary, threaded,
+    Campaign, Drawn, ENGINE, End, Instant, Judged, Known, Objective, Signal, Summary, Trial,
+    chunks, possible, read_with_plant, sample, shard, summary, threaded,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyByteArray;
@@ -19,7 +20,7 @@ use crate::failure::{ended, mistake};
 use crate::simulate::bytes;
 use crate::watch::{self, Watch};
 
-/// The arguments of `ptc.Objective`.
+/// The arguments of `ptc_codegen.Objective`.
 #[derive(IntoPyObject)]
 pub(crate) struct Told {
     text: String,
@@ -47,7 +48,7 @@ impl Told {
     }
 }
 
-/// The arguments of `ptc.Trajectory`.
+/// The arguments of `ptc_codegen.Trajectory`.
 #[derive(IntoPyObject)]
 pub(crate) struct Worst<'py> {
     scenario: String,
@@ -60,14 +61,20 @@ pub(crate) struct Worst<'py> {
     ended: Option<String>,
 }
 
-/// The arguments of `ptc.Verdict`.
+/// The arguments of `ptc_codegen.Verdict`.
 #[derive(IntoPyObject)]
 pub(crate) struct Verdict<'py> {
     holds: Option<bool>,
     objectives: Vec<Told>,
     text: String,
     columns: Vec<String>,
+    /// The unit of each column, where it is known.
+    units: Vec<Option<String>>,
     rows: Option<Bound<'py, PyByteArray>>,
+    states: Vec<String>,
+    inputs: Vec<String>,
+    /// The unit of each state and of each input, where it is known.
+    units_of_run: Vec<Option<String>>,
     worst: Option<Worst<'py>>,
 }
 
@@ -82,6 +89,12 @@ fn campaign(py: Python<'_>, design: &Design, given: &[(String, String)]) -> PyRe
     let entries = design.with(py, given)?;
     let campaign = request::read(&entries).and_then(|spec| read_with_plant(&entries, &spec));
     campaign.map_err(|found| design.wrong(py, found))
+}
+
+/// The names of the signals of disturbances, by their numbers in a row.
+#[pyfunction]
+pub(crate) fn signals() -> Vec<&'static str> {
+    Signal::ALL.map(Signal::name).to_vec()
 }
 
 /// What the rows of a campaign depend on.
@@ -227,6 +240,8 @@ fn verdict<'py>(
     });
     let numbers =
         |rows: &Vec<Row>| bytes(py, rows.iter().flat_map(|row| row.numbers.iter().copied()));
+    let of_run = Quantity::states(&campaign.spec).into_iter();
+    let of_run = of_run.chain(Quantity::inputs(&campaign.spec));
     Verdict {
         holds: match summary.end() {
             End::Holds => Some(true),
@@ -236,7 +251,11 @@ fn verdict<'py>(
         objectives: campaign.objectives.iter().zip(&summary.objectives).map(Told::new).collect(),
         text: summary.text(campaign),
         columns: campaign.columns(),
+        units: campaign.quantities().into_iter().map(|own| own.unit).collect(),
         rows: rows.map(numbers),
+        states: campaign.spec.state_names(),
+        inputs: campaign.spec.input_names(),
+        units_of_run: of_run.map(|own| own.unit).collect(),
         worst,
     }
 }

@@ -19,6 +19,7 @@ mod miri;
 mod mixed;
 mod module;
 mod names;
+mod notebooks;
 mod packages;
 mod projects;
 mod python;
@@ -60,6 +61,7 @@ pub const LAYERS: &[Layer] = &[
     projects::LAYER,
     packages::LAYER,
     module::LAYER,
+    notebooks::LAYER,
     campaign::LAYER,
     attack::LAYER,
     report::LAYER,

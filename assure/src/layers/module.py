@@ -1,4 +1,4 @@
-"""The module ptc of the wheel against the command of the workspace: the same files, verdicts and bits.
+"""The module ptc_codegen of the wheel against the command of the workspace: the same files, verdicts and bits.
 
 Usage: module.py GENERATOR COMMAND WORKSPACE [--defect|--hang], where COMMAND is the wheel's. With --defect
 the module is asked for a start that is one rounding away, and with --hang a forked process does not answer,
@@ -13,6 +13,7 @@ import multiprocessing
 import os
 import pickle
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -23,7 +24,7 @@ import warnings
 from pathlib import Path
 
 import numpy as np
-import ptc
+import ptc_codegen as ptc
 
 GENERATOR, COMMAND, WORKSPACE = sys.argv[1:4]
 DEFECT = "--defect" in sys.argv
@@ -49,6 +50,7 @@ RUNS = [
     ("drive", ["--eps=1e-3"], {"eps": 1e-3}, [1, 0, 0], [], {}),
     ("pendulum", ["--plant=m=1.05", "--plant=load=0.1"], {"plant": {"m": 1.05, "load": 0.1}},
      [1, 0], ["--seed=3"], {"seed": 3}),
+    ("gantry", [], {}, [0.1, 0, 0.05, 0, 0, 0.1], ["--seed=2"], {"seed": 2}),
     ("two_link", ["--plant=m2=1.6"], {"plant": {"m2": 1.6}}, [1, -0.5, 0, 0], [], {}),
 ]
 
@@ -243,6 +245,11 @@ def refused():
     error = raised(ValueError, lambda: ptc.emit(design, "klingon"))
     expect("rust" in str(error), f"languages: {error}")
     raised(TypeError, lambda: ptc.Design(n=2, mu=object()))
+    for work in [lambda: ptc.simulate("table.toml", [1, 0]), lambda: ptc.check("n = 2"), lambda: ptc.verify({})]:
+        error = raised(TypeError, work)
+        expect("Design.load(path)" in str(error), f"another type for a design: {error}")
+    error = raised(ValueError, lambda: ptc.simulate(design, "ab"))
+    expect("x0" in str(error), f"a text for x0: {error}")
     raised(ptc.DesignError, lambda: ptc.Design.load("no such file.toml"))
     unstable = ptc.Design(n=1, mu="exp(a=1)", gains=[2], tau=1, plant={"f": "exp(x1^2)"})
     raised(ptc.RunError, lambda: ptc.simulate(unstable, [30]))
@@ -372,16 +379,20 @@ def documented():
     text = (Path(WORKSPACE) / "docs/guide/python.md").read_text()
     blocks = re.findall(r"```(python|text)\n(.*?)```", text, re.DOTALL)
     own = {}
-    os.chdir(f"{WORKSPACE}/examples")
-    for kind, block in blocks:
-        if kind == "python":
-            printed = io.StringIO()
-            with contextlib.redirect_stdout(printed), warnings.catch_warnings():
-                warnings.simplefilter("error")
-                exec(block, own)
-            lines = [line.split("\r")[-1] for line in printed.getvalue().split("\n")]
-        else:
-            expect(lines == block.split("\n"), f"the page has {block}, in place of {lines}")
+    with tempfile.TemporaryDirectory() as folder:
+        for path in EXAMPLES:
+            shutil.copy(path, folder)
+        os.chdir(folder)
+        for kind, block in blocks:
+            if kind == "python":
+                printed = io.StringIO()
+                with contextlib.redirect_stdout(printed), warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    exec(block, own)
+                lines = [line.split("\r")[-1] for line in printed.getvalue().split("\n")]
+            else:
+                expect(lines == block.split("\n"), f"the page has {block}, in place of {lines}")
+        os.chdir(WORKSPACE)
     return f"{len(blocks) // 2} examples of the page"
 
 

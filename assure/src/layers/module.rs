@@ -32,7 +32,7 @@ fn run(context: &Context) -> Result<Finding> {
     let folder = context.scratch("module");
     let generator = generator()?;
     let wheel = wheel(context, &folder)?;
-    let packages = ["numpy>=1.26", "mypy", "ruff"];
+    let packages = ["anywidget", "mypy", "numpy>=1.26", "pandas", "pandas-stubs", "ruff"];
     let python = runtime::python(&context.shared("module"), &packages)?;
     let install = ["-m", "pip", "install", "-q", "--no-deps", "--force-reinstall"];
     succeed(Command::new(&python).args(install).arg(&wheel))?;
@@ -96,11 +96,11 @@ fn source(context: &Context, folder: &Path) -> Result<()> {
 
 /// The types of the package, those that it gives the extension module, and its style.
 fn types(python: &Path, finding: &mut Finding) {
-    let source = workspace().join("python/ptc");
+    let source = workspace().join("python/ptc_codegen");
     let source = source.as_os_str();
     for arguments in [
         &["mypy".as_ref(), "--strict".as_ref(), "--no-error-summary".as_ref(), source][..],
-        &["mypy.stubtest".as_ref(), "ptc._ptc".as_ref()],
+        &["mypy.stubtest".as_ref(), "ptc_codegen._ptc".as_ref()],
         // The oldest Python that the package takes: what newer ones prefer is not there.
         &[
             "ruff".as_ref(),

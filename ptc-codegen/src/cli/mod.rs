@@ -54,6 +54,8 @@ use clap::{CommandFactory, Parser};
 use crate::diagnostic::visible;
 use crate::internal::guarded;
 use args::{Command, CommandLine};
+#[cfg(feature = "lab")]
+pub use page::{Shown, card};
 use report::Failure;
 
 /// Runs the command of a command line, its own name first: the exit code.

@@ -2,41 +2,29 @@
 
 use std::path::Path;
 
-use crate::plot::Picture;
+use crate::plot::{Format, Picture};
 
 use super::report::Failure;
 
-/// Format of a picture.
+/// Format of a picture that a path asks for.
 #[derive(Clone, Copy)]
-pub(crate) enum Kind {
-    Svg,
-    Png,
-    Pdf,
-}
+pub(crate) struct Kind(Format);
 
 impl Kind {
     /// The kind of the file at `path`.
     pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
-        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
-        match extension.as_ref().and_then(|extension| extension.to_str()) {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            Some("pdf") => Ok(Self::Pdf),
-            _ => Err(Failure::because(
+        let extension = path.extension().and_then(|extension| extension.to_str());
+        extension.and_then(Format::of_extension).map(Self).ok_or_else(|| {
+            Failure::because(
                 format!("`{}`: unsupported image type", path.display()),
                 "give a file that ends in .svg, .png or .pdf, for example --plot run.svg",
-            )),
-        }
+            )
+        })
     }
 
     /// The file of a picture.
     pub(crate) fn file(self, figure: &impl Picture) -> Result<Vec<u8>, Failure> {
-        let drawn = match self {
-            Self::Svg => figure.svg().map(String::into_bytes),
-            Self::Png => figure.png(),
-            Self::Pdf => figure.pdf(),
-        };
-        drawn.map_err(|wrong| undrawn(&wrong))
+        self.0.file(figure).map_err(|wrong| undrawn(&wrong))
     }
 }
 

@@ -30,7 +30,9 @@ pub(crate) use exponential::exponential;
 pub(crate) use flow::norm;
 pub(crate) use flow::{Rows, flow};
 pub use following::Following;
-pub(crate) use horizon::{Bound, Curve, Horizon, Peak, Plan, Signal, Stretch};
+pub(crate) use horizon::{
+    Bound, Curve, Horizon, Peak, Plan, Signal, Stretch, Tabled, TabledPlan, node_from,
+};
 pub(crate) use matrix::{Matrix, dot};
 pub(crate) use outputs::Outputs;
 pub(crate) use pair::{Pair, ZeroOrderHold, binomial, factorial, power_of_period, zero_order_hold};

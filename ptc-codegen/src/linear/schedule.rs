@@ -25,6 +25,8 @@ pub struct Schedule {
     pub pieces: Vec<Piece>,
     /// K_M of each node, for u = -K_M x.
     pub gains: Vec<Vec<BigRational>>,
+    /// Most samples to go.
+    pub samples: u32,
     /// Most bytes that the table may take, where they are limited.
     pub bytes: Option<u32>,
 }
@@ -114,7 +116,7 @@ impl Demand<'_> {
         if !early.is_empty() {
             gains.extend(of(self.weights.law, early)?);
         }
-        Ok(Schedule { weights: self.weights, pieces, gains, bytes: None })
+        Ok(Schedule { weights: self.weights, pieces, gains, samples: self.samples, bytes: None })
     }
 
     /// Returns true if the loop of `own` needs hardly more than that of `finer`.

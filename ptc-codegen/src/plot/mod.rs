@@ -8,12 +8,14 @@ mod chart;
 mod contours;
 mod curve;
 mod drawing;
+mod format;
 mod histogram;
 mod panel;
 mod pdf;
 mod pixels;
 mod quantity;
 mod range;
+mod run;
 mod single;
 mod style;
 
@@ -26,9 +28,11 @@ pub use contours::{Contour, Contours};
 pub use curve::Curve;
 use drawing::Drawing;
 pub use drawing::Picture;
+pub use format::Format;
 pub use histogram::Histogram;
 use panel::Panel;
 pub use quantity::Quantity;
+pub use run::Drawn;
 use style::Pen;
 pub use style::register_letters;
 

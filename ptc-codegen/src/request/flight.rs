@@ -1,11 +1,12 @@
 //! Changes while a controller runs: its duration with a clock in time, and in samples its deadline, with its answer to one
 //! that limits do not allow.
 
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use super::{Sampled, Spec};
 use crate::algebra::BigRational;
-use crate::linear::{Horizon, Plan, power_of_period};
+use crate::limits::GAINS;
+use crate::linear::{Horizon, Plan, Signal, TabledPlan, node_from, power_of_period};
 use crate::parameter::{Fixed, Parameter};
 
 /// A controller whose deadline may change while it runs.
@@ -43,7 +44,24 @@ impl Late {
     }
 }
 
+/// Times tau to which the table of gains of a linear plant reaches, so that a deadline can be put off.
+const REACH: u32 = 4;
+
 impl Flight {
+    /// Returns true if deadlines are planned of a linear plant, which takes a table of bounds.
+    pub(crate) fn plans(&self) -> bool {
+        self.late != Late::Clip || !self.state_max.is_empty() || !self.reserve.is_zero()
+    }
+
+    /// The samples to go for which a table has gains, of a design with so many.
+    pub(crate) fn reach(&self, samples: u32) -> u32 {
+        let most = u32::try_from(GAINS.most).unwrap_or(u32::MAX);
+        match self.plans() {
+            true => node_from(samples.saturating_mul(REACH).min(most)),
+            false => samples,
+        }
+    }
+
     /// Returns true if a step may put its deadline off.
     pub fn replans(&self) -> bool {
         self.late == Late::Extend
@@ -87,9 +105,13 @@ impl Sampled {
         }
     }
 
-    /// Returns the bounds from which a deadline is known to keep the limits; `None` for plants that are not one chain,
-    /// with a reference, whose future decides u, and for laws whose u has no closed form to its end.
+    /// Returns the bounds from which a deadline is known to keep the limits; `None` for plants that are not one chain
+    /// and have no table of gains, with a reference, whose future decides u, and for laws whose u has no closed form to
+    /// its end.
     pub(crate) fn horizon(&self, spec: &Spec) -> Option<Horizon> {
+        if self.linear.is_some() && spec.reference.is_none() {
+            return self.horizon_of_table(spec);
+        }
         if !spec.is_one_chain() || spec.reference.is_some() {
             return None;
         }
@@ -116,12 +138,37 @@ impl Sampled {
         })
     }
 
-    /// The flat coordinates of each unit state, and of each unit input under way.
+    /// The same of a linear plant with a table of gains, where its deadlines are planned.
+    fn horizon_of_table(&self, spec: &Spec) -> Option<Horizon> {
+        let flight = self.flight.as_ref().filter(|flight| flight.plans())?;
+        let number = |p: Parameter| spec.fixed.get(&p).and_then(Fixed::number);
+        let h = number(Parameter::SampleTime)?;
+        let planned = self.planned(spec.n, Some(h))?;
+        let limited = |p: Parameter| match spec.fixed.get(&p) {
+            Some(limit) => limit.number().is_some(),
+            None => p == Parameter::UMax || spec.u_min,
+        };
+        let input = [Parameter::UMax, Parameter::UMin].into_iter().any(limited);
+        let states = (0..spec.n).filter(|i| flight.state_max(*i).is_some()).map(Signal::State);
+        Horizon::tabled(&TabledPlan {
+            phi: &planned.pair.phi,
+            gamma: &planned.pair.gamma,
+            schedule: spec.schedule()?,
+            held: (number(Parameter::Eps)? / h).ceil().to_u32()?,
+            signals: input.then_some(Signal::Input).into_iter().chain(states).collect(),
+            precision: spec.precision,
+        })
+    }
+
+    /// The flat coordinates of each unit state, and of each unit input under way; of a linear plant with a table of gains
+    /// the state from which the next input acts.
     pub(crate) fn unit_coordinates(&self, spec: &Spec) -> Option<Vec<Vec<f64>>> {
         let h = spec.fixed.get(&Parameter::SampleTime).and_then(Fixed::number)?;
         let planned = self.planned(spec.n, Some(h))?;
-        let (s, _) = planned.pair.flat()?;
-        let s = s.times(&planned.reach);
+        let s = match spec.schedule() {
+            Some(_) => planned.reach,
+            None => planned.pair.flat()?.0.times(&planned.reach),
+        };
         let column = |j: usize| {
             let unit = power_of_period(h, -planned.powers[j]);
             s.rows().iter().map(|row| (&row[j] * &unit).to_f64()).collect()

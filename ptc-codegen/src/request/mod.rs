@@ -19,6 +19,8 @@ mod read;
 mod reference;
 mod sampled;
 mod spec;
+#[cfg(feature = "lab")]
+mod start;
 mod units;
 
 pub use axes::Axes;

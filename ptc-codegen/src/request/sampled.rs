@@ -179,7 +179,7 @@ impl Sampled {
             phi: &planned.pair.phi,
             gamma: &planned.pair.gamma,
             weights,
-            samples,
+            samples: self.flight.as_ref().map_or(samples, |flight| flight.reach(samples)),
             most: bytes.map(|bytes| bytes as usize / spec.precision.bytes()),
         };
         Some(demand.schedule().map(|schedule| Schedule { bytes, ..schedule }))

@@ -55,11 +55,8 @@ impl Builder<'_> {
             false => set(name, Expr::integer(0)),
         });
         let first = first.collect();
-        let mut next = Vec::new();
-        for (i, name) in names.iter().enumerate() {
-            let predicted = Expr::field(format!("{name}_next"));
-            next.push(set(name, predicted.add(self.moved(&pair, i, &Expr::integer(0)))));
-        }
+        let next = self.predicted_now(plant).into_iter();
+        let next = next.map(|(name, value)| set(&name, value)).collect();
         body.push(Statement::If(unseen, first, next));
         body.push(Statement::Note("Prediction of the next sample.".to_owned()));
         let state = |j: usize| Expr::local(names[j].clone());
@@ -95,6 +92,17 @@ impl Builder<'_> {
             body.push(Statement::Let(format!("{name}_on"), real, sum));
         }
         body
+    }
+
+    /// The names of the estimates of a linear plant, and what is predicted for now.
+    pub(super) fn predicted_now(&mut self, plant: &Linear) -> Vec<(String, Expr)> {
+        let pair = self.sampled_plant(plant);
+        let pair = if self.sampled.disturbance { pair.with_disturbance() } else { pair };
+        let each = self.estimated().into_iter().enumerate().map(|(i, name)| {
+            let predicted = Expr::field(format!("{name}_next"));
+            (name, predicted.add(self.moved(&pair, i, &Expr::integer(0))))
+        });
+        each.collect()
     }
 
     /// The gains of all blocks, which end together, and what they are gains of, by the distance of each measured value

@@ -25,6 +25,8 @@ mod frame;
 mod held;
 mod inputs;
 mod integrals;
+#[cfg(feature = "lab")]
+pub mod kept;
 pub mod lanes;
 mod linear;
 mod mechanics;

@@ -20,9 +20,20 @@ pub enum Signal {
 }
 
 impl Signal {
-    /// All signals.
+    /// All signals, by their numbers in a row.
     pub const ALL: [Self; 5] =
         [Self::Constant, Self::Sine, Self::Square, Self::Random, Self::Worst];
+
+    /// Returns its number in a row: its place among all signals.
+    pub fn code(self) -> f64 {
+        match self {
+            Self::Constant => 0.0,
+            Self::Sine => 1.0,
+            Self::Square => 2.0,
+            Self::Random => 3.0,
+            Self::Worst => 4.0,
+        }
+    }
 
     /// The word of the design file.
     pub fn name(self) -> &'static str {

@@ -12,6 +12,7 @@
 mod allowance;
 mod batch;
 pub mod bound;
+mod columns;
 mod corner;
 mod course;
 mod envelope;
@@ -114,7 +115,7 @@ pub struct Campaign {
 
 /// Version of the engine, on which the rows of a campaign depend: the version of the package, and behind it a number
 /// that is raised by every change that alters the bits of a run.
-pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+8");
+pub const ENGINE: &str = concat!(env!("CARGO_PKG_VERSION"), "+9");
 
 impl Campaign {
     /// All that decides the rows, as text: two campaigns with the same text have the same rows from the same [`ENGINE`].
@@ -209,21 +210,5 @@ impl Campaign {
         let true_gain = with(1).sub(with(0)).add(g.unwrap_or(own.clone()));
         let low = Some(Expression::integer(0));
         Kind::Within { h: true_gain.div(own), low, high: None }.into()
-    }
-
-    /// The names of the columns of a row, after the index.
-    pub fn columns(&self) -> Vec<String> {
-        let mut names = vec!["tau".to_owned()];
-        names.extend(self.spec.state_names().iter().map(|x| format!("{x}_0")));
-        names.extend(self.intervals.iter().map(|(symbol, _)| symbol.spelling()));
-        names.extend(self.gains().map(|_| GAIN.to_owned()));
-        names.extend(self.events.uncertain().map(|own| own.name.clone()));
-        names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}")));
-        if self.has_sides() {
-            names.extend((1..=self.objectives.len()).map(|i| format!("excess{i}_direct")));
-            names.push("difference".to_owned());
-        }
-        names.push("status".to_owned());
-        names
     }
 }

@@ -53,7 +53,8 @@ pub fn sample<E: Send>(
                 let scenarios: Vec<_> = part.iter().map(|i| settings.scenario(*i)).collect();
                 let own: Vec<_> = scenarios.iter().map(|one| settings.setting(one)).collect();
                 let rows = part.iter().zip(&scenarios).zip(trial.run_all(&own));
-                rows.map(|((index, own), outcome)| row(*index, own, outcome)).collect::<Vec<_>>()
+                rows.map(|((index, own), outcome)| campaign.row_of(*index, own, outcome))
+                    .collect::<Vec<_>>()
             });
             done(chunk, rows.collect())
         },
@@ -64,7 +65,8 @@ impl Campaign {
     /// The row of a draw.
     pub fn row(&self, trial: &mut Trial, index: u64) -> Row {
         let scenario = self.scenario(index);
-        row(index, &scenario, trial.run_one(&self.setting(&scenario)))
+        let outcome = trial.run_one(&self.setting(&scenario));
+        self.row_of(index, &scenario, outcome)
     }
 
     /// The rows of scenarios that are no draws, by their place. `done` is called after each.
@@ -76,20 +78,11 @@ impl Campaign {
     ) -> Vec<Row> {
         let outcomes = self.outcomes(trial, scenarios, done);
         let all = (0..).zip(scenarios).zip(outcomes);
-        all.map(|((index, scenario), outcome)| row(index, scenario, outcome)).collect()
+        all.map(|((index, scenario), outcome)| self.row_of(index, scenario, outcome)).collect()
     }
-}
 
-/// The row of any scenario, as that of an index.
-fn row(index: u64, scenario: &Scenario, outcome: Outcome) -> Row {
-    let status = outcome.status().code();
-    let mut numbers = Vec::with_capacity(scenario.point.len() + 2 * outcome.excess.len() + 2);
-    numbers.extend(&scenario.point);
-    numbers.extend(outcome.excess);
-    if let Some(direct) = outcome.direct {
-        numbers.extend(direct.excess);
-        numbers.push(direct.difference);
+    /// The row of any scenario, as that of an index.
+    fn row_of(&self, index: u64, scenario: &Scenario, outcome: Outcome) -> Row {
+        Row { index, numbers: self.numbers(scenario, outcome) }
     }
-    numbers.push(status);
-    Row { index, numbers }
 }

@@ -3,7 +3,7 @@
 use crate::support;
 
 use ptc_codegen::verify::record::Row;
-use ptc_codegen::verify::{self, Campaign, Drawn, Envelope, Signal, Trial};
+use ptc_codegen::verify::{self, Campaign, Drawn, Envelope, Other, Outcome, Signal, Trial};
 
 const DESIGN: &str = "n = 2\nmu = \"exp(a=1)\"\npoles = [-3, -4]\n[plant]\n\
                       f = \"gust - damping*x2 + slip*u\"\ndamping = [0, 0.5]\nslip = [-0.2, 0.2]\n\
@@ -22,8 +22,9 @@ fn rows(campaign: &Campaign, size: &dyn Fn(&[f64], Signal) -> f64) -> Vec<Row> {
     let row = |index| {
         let drawn = campaign.scenario(index);
         let excess = size(&drawn.point, drawn.courses[0].signal()) - 1.0;
-        let rest = [excess, excess, 0.0, 0.0];
-        Row { index, numbers: drawn.point.iter().copied().chain(rest).collect() }
+        let direct = Some(Other { excess: vec![excess], difference: 0.0 });
+        let outcome = Outcome { excess: vec![excess], direct, ended: None };
+        Row { index, numbers: campaign.numbers(&drawn, outcome) }
     };
     (0..campaign.scenarios).map(row).collect()
 }
@@ -39,7 +40,8 @@ fn percentiles_are_those_of_the_sorted_draws() {
     let campaign = campaign();
     let rows = rows(&campaign, &|point, _| (3.0 * point[1]).exp() * point[0]);
     let all = drawn(&campaign, &rows);
-    let mut sizes: Vec<_> = rows.iter().map(|row| row.numbers[5] + 1.0).collect();
+    let place = campaign.columns().iter().position(|name| name == "excess1").expect("a column");
+    let mut sizes: Vec<_> = rows.iter().map(|row| row.numbers[place] + 1.0).collect();
     sizes.sort_by(f64::total_cmp);
     for share in [0.001, 0.5, 0.9, 0.99, 1.0] {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]

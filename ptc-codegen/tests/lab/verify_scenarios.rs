@@ -5,7 +5,7 @@ use crate::support;
 
 use ptc_codegen::verify::search::search;
 use ptc_codegen::verify::{
-    self, Campaign, Corners, Judgement, Scenario, Signal, Status, Tally, Trial,
+    self, Campaign, Corners, Course, Judgement, Outcome, Scenario, Signal, Status, Tally, Trial,
 };
 
 fn campaign(text: &str) -> Campaign {
@@ -54,6 +54,55 @@ fn draws_are_even_and_independent() {
         let own = draws.iter().filter(|draw| draw.courses[0].signal() == signal).count();
         assert!((700..900).contains(&own), "{signal:?}: {own}");
     }
+}
+
+#[test]
+fn rows_hold_the_drawn_signals() {
+    let campaign = design(2, "-3, -4", UNCERTAIN);
+    let columns = campaign.columns();
+    let of = |name: &str| columns.iter().position(|own| own == name).expect("a column");
+    let levels: Vec<_> = (1..=16).map(|piece| of(&format!("gust.{piece}"))).collect();
+    let outcome = Outcome { excess: vec![-1.0], direct: None, ended: None };
+    let mut seen = [0; 5];
+    for index in 0..200 {
+        let scenario = campaign.scenario(index);
+        let numbers = campaign.numbers(&scenario, outcome.clone());
+        let at = |name: &str| numbers[of(&format!("gust.{name}"))];
+        let own: Vec<_> = levels.iter().map(|place| numbers[*place]).collect();
+        let known = |of: [bool; 3]| {
+            assert_eq!([!at("value").is_nan(), !at("periods").is_nan(), !own[0].is_nan()], of);
+            assert_eq!(at("phase").is_nan(), at("periods").is_nan());
+        };
+        seen[scenario.courses[0].signal() as usize] += 1;
+        assert_eq!(at("signal"), scenario.courses[0].signal().code());
+        match &scenario.courses[0] {
+            Course::Constant(value) => {
+                known([true, false, false]);
+                assert_eq!(at("value"), *value);
+            }
+            Course::Sine(periods, phase) => {
+                known([false, true, false]);
+                assert_eq!([at("periods"), at("phase")], [*periods, *phase]);
+            }
+            Course::Square(halves, phase) => {
+                known([false, true, false]);
+                assert_eq!([2.0 * at("periods"), at("phase")], [*halves, *phase]);
+            }
+            Course::Random(drawn) => {
+                known([false, false, true]);
+                assert_eq!(own, *drawn);
+            }
+            Course::Worst { high, switches } => {
+                known([false, false, true]);
+                assert_eq!(own[0], if *high { 0.3 } else { -0.1 });
+                let jumps = own.windows(2).filter(|pair| pair[0] != pair[1]).count();
+                assert_eq!(jumps, switches.len());
+            }
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+    // Names of symbols have no dot, so that none is that of a column of a signal.
+    assert!(columns.iter().enumerate().all(|(place, name)| of(name) == place), "{columns:?}");
 }
 
 #[test]

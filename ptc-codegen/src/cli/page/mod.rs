@@ -1,6 +1,8 @@
 //! The report of a run: one self-contained page of HTML.
 
 mod budget;
+mod card;
+mod class;
 mod curve;
 mod design;
 mod formulas;
@@ -10,7 +12,6 @@ mod worst;
 use std::path::Path;
 
 use crate::accepted::Accepted;
-use crate::check::Verdict;
 use crate::check::examine::Report;
 use crate::diagnostic::{parts, visible, visible_line};
 use crate::emit::{File, Language};
@@ -22,6 +23,8 @@ use super::mathml::{Math, display, inline};
 use super::report::Failure;
 use super::source::Source;
 use budget::Bar;
+pub use card::{Shown, card};
+use class::{colour, concluded};
 use design::{Fact, Known};
 pub(crate) use design::{command, reporting, short};
 use formulas::Group;
@@ -109,24 +112,6 @@ struct Page<'a> {
     /// Why there is no code.
     refused: Vec<String>,
     version: &'static str,
-}
-
-/// The class of a verdict, which gives it a colour.
-fn colour(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Sound => "good",
-        Verdict::Unsound | Verdict::Refuted => "bad",
-        Verdict::Undecided | Verdict::NotChecked | Verdict::NotNeeded => "open",
-    }
-}
-
-/// The class of the last line of a report.
-fn concluded(report: &Report) -> &'static str {
-    match report.refusals().next() {
-        Some(_) => "bad",
-        None if report.is_open() => "open",
-        None => "good",
-    }
 }
 
 /// The file of a report, if there is one, is named as such.

@@ -3,7 +3,6 @@
 mod args;
 mod csv;
 mod input;
-mod kept;
 mod merit;
 mod page;
 mod picture;

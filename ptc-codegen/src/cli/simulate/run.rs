@@ -5,13 +5,14 @@ use crate::check::resolved::Resolved;
 use crate::diagnostic::digits;
 use crate::parameter::Parameter;
 use crate::plant::Plant;
+use crate::plot::Drawn;
 use crate::program::range::Range;
 use crate::request::Spec;
+use crate::simulate::kept::Kept;
 use crate::simulate::record::{self, Asked, Row};
 use crate::simulate::{Cause, Failure as Ended, Loop, Values, tracking_error};
 
 use super::csv::{Common, Csv};
-use super::kept::Kept;
 use crate::cli::progress::{checking, progress};
 use crate::cli::report::{self, Failure, Notice};
 
@@ -57,7 +58,7 @@ impl Run {
         let limits = values.limits(spec);
         let names = spec.names_of_chains().into_iter().map(|name| format!("e{name}"));
         let error = error.map(|error| names.zip(error).collect());
-        let (label, mapping) = (format!("tau = {tau} s"), spec.mapping_name().to_owned());
+        let (label, mapping) = (Drawn::label(tau), spec.mapping_name().to_owned());
         Ok(Self { label, mapping, tau, states, inputs, t0, limits, report, held, kept, error })
     }
 

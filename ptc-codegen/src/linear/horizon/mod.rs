@@ -4,16 +4,22 @@
 //! its Bernstein coefficients bound it from the first sample to where another law takes over. From there on the time is
 //! known, and so are the coefficients, as sums of the coordinates; gains that are held are bounded by the few rows of
 //! [`span`]. What all bounds admit is kept at every sample, up to the rounding that `slack` allows for.
+//!
+//! Of a loop with a table of gains a table of rows bounds the signals ([`tabled`]).
 
 mod bernstein;
 mod course;
 mod slack;
 mod span;
+mod tabled;
 mod values;
+
+use std::sync::Arc;
 
 use num_traits::{ToPrimitive, Zero};
 
 pub(crate) use course::Course;
+pub(crate) use tabled::{Plan as TabledPlan, Tabled, node_from};
 pub(crate) use values::Peak;
 
 use super::Matrix;
@@ -89,8 +95,10 @@ pub(crate) struct Stretch {
 /// All that is to be kept from now to rest.
 #[derive(Clone, Debug)]
 pub(crate) struct Horizon {
-    /// The laws, the first one first.
+    /// The laws, the first one first; none of a table.
     pub(crate) stretches: Vec<Stretch>,
+    /// The bounds of a loop with a table of gains.
+    pub(crate) table: Option<Arc<Tabled>>,
     /// The signals once the gains are held, by the coordinates.
     pub(crate) held: Vec<Bound>,
     /// The part of a limit that roundings may take, in units of the last place of a number.
@@ -114,17 +122,44 @@ impl Horizon {
             stretches.insert(0, Stretch::new(plan, course(plan.least), samples, &behind)?);
         }
         let slack = stretches.iter().map(slack::slack).collect::<Option<Vec<_>>>()?;
-        Some(Self { stretches, held, slack: slack.into_iter().fold(0.0, f64::max) })
+        let slack = slack.into_iter().fold(0.0, f64::max);
+        Some(Self { stretches, table: None, held, slack })
+    }
+
+    /// Returns the bounds of a loop with a table of gains; `None` where the loop of held gains is not stable.
+    pub(crate) fn tabled(plan: &TabledPlan<'_>) -> Option<Self> {
+        let table = Tabled::known(plan)?;
+        let (held, slack) = (table.held.clone(), table.slack);
+        Some(Self { stretches: Vec::new(), table: Some(table), held, slack })
     }
 
     /// Samples to go at and below which the gains are held.
     pub(crate) fn rest(&self) -> u32 {
-        self.stretches.last().map_or(0, |stretch| stretch.above)
+        match &self.table {
+            Some(table) => table.rest,
+            None => self.stretches.last().map_or(0, |stretch| stretch.above),
+        }
+    }
+
+    /// Factor by which a bound may grow on the way to rest, at least 1.
+    pub(crate) fn growth(&self) -> f64 {
+        self.table.as_ref().map_or(1.0, |table| table.growth)
+    }
+
+    /// Returns true if a state has a limit.
+    pub(crate) fn bounds_states(&self) -> bool {
+        let curves = self.stretches.iter().flat_map(|stretch| &stretch.curves);
+        let rows = self.table.iter().flat_map(|table| &table.signals);
+        let mut signals = curves.map(|own| own.signal).chain(rows.map(|own| own.signal));
+        signals.any(|signal| signal != Signal::Input)
     }
 
     /// Most samples to a deadline that is planned: beyond, numbers leave the range of the precision.
     pub(crate) fn longest(&self, precision: Precision) -> u32 {
         const MOST: u32 = 1 << 30;
+        if let Some(table) = &self.table {
+            return table.longest;
+        }
         let exponents = self.stretches.iter().map(|stretch| {
             let course = &stretch.course;
             course.exponent(course.order() - 1)

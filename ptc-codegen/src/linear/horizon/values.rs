@@ -19,6 +19,10 @@ pub(crate) struct Peak {
 impl Horizon {
     /// The values that the limits of their signals have to admit, from coordinates with `left` samples to go.
     pub(crate) fn values(&self, z: &[f64], left: u32) -> Vec<Peak> {
+        if let Some(table) = self.table.as_ref().filter(|table| left > table.rest) {
+            let peak = |(signal, value)| Peak { signal, value, is_signed: false };
+            return table.values(z, left).into_iter().map(peak).collect();
+        }
         match self.stretches.iter().find(|stretch| left > stretch.above) {
             Some(stretch) => stretch.values(z, left),
             None => {

@@ -9,7 +9,7 @@ use crate::code::{
 };
 use crate::internal::fault;
 use crate::parameter::{Fixed, Parameter};
-use crate::request::After;
+use crate::request::{After, Spec};
 
 impl Builder<'_> {
     pub(super) fn step(&mut self, start: &Expr, samples: &Expr) -> Function {
@@ -166,7 +166,12 @@ impl Builder<'_> {
             return None;
         }
         let limit = self.parameter(parameter);
-        Some(self.keep(parameter.key(), self.spec.meaning(parameter), limit))
+        let is_own = |design: &Spec| design.fixed.get(&parameter) != self.spec.fixed.get(&parameter);
+        let name = match self.designs.iter().any(is_own) {
+            true => self.named(parameter.key()),
+            false => parameter.key().to_owned(),
+        };
+        Some(self.keep(&name, self.spec.meaning(parameter), limit))
     }
 }
 

@@ -5,8 +5,9 @@ use std::ops::{Add, Mul, Neg};
 use super::super::controller::Builder;
 use super::super::predicted::weighted;
 use super::Chain;
+use super::rows::within;
 use super::stretch::Writer;
-use crate::algebra::integer;
+use crate::algebra::{BigRational, integer};
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::expression::Function;
 use crate::linear::{Bound, Horizon, Signal};
@@ -43,13 +44,13 @@ impl Limits {
     }
 
     /// Tests that the size of a sum is within a share of the limits of its signal.
-    pub(super) fn admit_size(&self, bound: &Bound, value: Expr) -> Vec<Test> {
-        let limit = match bound.signal {
+    pub(super) fn admit_size(&self, signal: Signal, share: &BigRational, value: Expr) -> Vec<Test> {
+        let limit = match signal {
             Signal::Input => self.within.clone(),
             Signal::State(i) => self.states[i].clone(),
         };
         let size = || Expr::Call(Function::Abs, Box::new(value.clone()));
-        let share = |limit: Expr| Expr::Number(bound.share.clone()).mul(limit);
+        let share = |limit: Expr| Expr::Number(share.clone()).mul(limit);
         limit.map(|limit| Test::AtMost(size(), share(limit))).into_iter().collect()
     }
 }
@@ -137,12 +138,23 @@ fn tests(chain: &Chain, limits: &Limits, held: bool, before: u32) -> Vec<Stateme
         true => {
             let row = |bound: &Bound| {
                 let value = weighted(&bound.row, &|i| chain.flat[i].clone());
-                limits.admit_size(bound, value)
+                limits.admit_size(bound.signal, &bound.share, value)
             };
             settle(horizon.held.iter().flat_map(row).collect(), before)
         }
         false => Vec::new(),
     };
+    if let Some(table) = &horizon.table {
+        let (mut own, test) = within(table, &chain.flat, limits);
+        own.extend(settle(vec![test], before));
+        return match held {
+            true => {
+                let above = Test::CountLess(Expr::Count(table.rest), tried());
+                vec![Statement::If(above, own, all)]
+            }
+            false => own,
+        };
+    }
     for stretch in horizon.stretches.iter().rev() {
         let mut writer = Writer::new(chain.output);
         let tests = writer.within(stretch, &chain.flat, limits);
@@ -163,7 +175,8 @@ fn sizes(horizon: &Horizon, held: bool) -> bool {
     let behind = horizon.stretches.iter().flat_map(|stretch| &stretch.behind);
     let by_size = behind.filter(|bound| bound.share != integer(1));
     let of_held = horizon.held.iter().filter(|_| held);
-    by_size.chain(of_held).any(|bound| bound.signal == Signal::Input)
+    let of_table = horizon.table.iter().flat_map(|table| &table.signals).map(|own| own.signal);
+    by_size.chain(of_held).map(|bound| bound.signal).chain(of_table).any(|own| own == Signal::Input)
 }
 
 /// The statement that adds a chain to `fits` where all tests hold.

@@ -27,6 +27,9 @@ impl Builder<'_> {
             let argument = self.argument_of_axes();
             return (Some(argument), body.chain(self.chains_of_axes()).collect());
         }
+        if self.sampled.linear.is_some() {
+            return self.state_of_plant();
+        }
         let real = Shape::Real;
         let measured = self.sampled.measured;
         let observes = self.sampled.observes();
@@ -48,6 +51,25 @@ impl Builder<'_> {
             }
         }
         (argument, body)
+    }
+
+    /// The same of a linear plant, all of whose states are estimated, if any are.
+    fn state_of_plant(&mut self) -> (Option<Variable>, Vec<Statement>) {
+        let real = Shape::Real;
+        if !self.sampled.observes() {
+            let measured = self.sampled.measured;
+            let given = if self.sampled.measures_states() { "x" } else { "y" };
+            let elements = (0..measured).map(|l| Expr::Element(given.to_owned(), l));
+            let mut body: Vec<_> = self.finite(elements).into_iter().collect();
+            let states = self.states(given).into_iter().zip(1..);
+            body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
+            let argument = Variable::new(given, Shape::Reals(measured), self.given());
+            return (Some(argument), body);
+        }
+        let Some(plant) = self.sampled.linear.clone() else { fault("no linear plant") };
+        let predicted = self.predicted_now(&plant).into_iter();
+        let body = predicted.map(|(name, value)| Statement::Let(name, real, value));
+        (None, body.collect())
     }
 
     /// `move`, `assume`, `assume_disturbance` and `applied`, as far as they have a meaning.

@@ -7,7 +7,6 @@ use super::{LAST, ROUND, longest, rest};
 use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
-use crate::internal::fault;
 use crate::request::{Late, MAX_SAMPLES};
 
 impl Builder<'_> {
@@ -16,7 +15,7 @@ impl Builder<'_> {
         let refuses = self.flight().is_some_and(|flight| flight.late == Late::Refuse);
         let samples = || Expr::local("samples");
         let least = self.least_deadline();
-        let most = self.spec.schedule().map_or(MAX_SAMPLES, |_| self.most_gains());
+        let most = self.spec.schedule().map_or(MAX_SAMPLES, |schedule| schedule.samples);
         let legal = vec![
             Test::CountLess(Expr::Count(least - 1), samples()),
             Test::CountLess(samples(), Expr::Count(most.saturating_add(1))),
@@ -76,14 +75,6 @@ impl Builder<'_> {
         each.into_iter().max().unwrap_or_default()
     }
 
-    /// The samples for which a table has gains.
-    fn most_gains(&self) -> u32 {
-        match self.asked() {
-            Expr::Count(count) => count,
-            _ => fault("a table of gains for an open deadline"),
-        }
-    }
-
     /// Statements that refuse a deadline of `samples` which might exceed a limit.
     fn required_plan(&mut self) -> Vec<Statement> {
         let spare = self.spare();
@@ -93,13 +84,17 @@ impl Builder<'_> {
         body.extend(limits_set);
         let tried = Expr::local("samples").count_left(Expr::Count(spare));
         body.push(Statement::Let(TRIED.to_owned(), Shape::Count, tried));
-        body.extend(fits(&chains, &limits, false));
         let longest = longest(&chains, self.spec.precision);
-        let tests = vec![
+        let mut tests = vec![
             Test::CountLess(Expr::Count(rest(&chains)), Expr::local(TRIED)),
             Test::CountLess(Expr::local(TRIED), Expr::Count(longest + 1)),
-            all_fit(&chains),
         ];
+        if self.spec.schedule().is_some() {
+            // The table has no others.
+            body.push(Statement::Require(Test::All(std::mem::take(&mut tests)), Status::Soon));
+        }
+        body.extend(fits(&chains, &limits, false));
+        tests.push(all_fit(&chains));
         body.push(Statement::Require(Test::All(tests), Status::Soon));
         body
     }

@@ -1,7 +1,7 @@
 //! A deadline that changes while the controller runs: the field `last`, the planned number of samples from the start to
 //! rest, and the functions that change it, the target and the estimates.
 //!
-//! `bounds` are the tests that a deadline keeps the limits, of the signals of `stretch`, `search` finds the soonest one,
+//! `bounds` are the tests that a deadline keeps the limits, of the signals of `stretch` or the table of `rows`, `search` finds the soonest one,
 //! `replan` puts a deadline off within `step`, `deadline` and `corrections` hold the functions. Several axes come to rest
 //! at one sample: a deadline is tested for each of them.
 
@@ -9,6 +9,7 @@ mod bounds;
 mod corrections;
 mod deadline;
 mod replan;
+mod rows;
 mod search;
 mod stretch;
 
@@ -35,7 +36,7 @@ struct Chain {
     output: Option<usize>,
     /// The bounds of its signals.
     horizon: Horizon,
-    /// Its flat coordinates.
+    /// Its flat coordinates; beside a table of gains the state from which the next input acts.
     flat: Vec<Expr>,
 }
 
@@ -61,6 +62,9 @@ impl Builder<'_> {
             let horizon = own.sampled.horizon(own.spec)?;
             if !own.has_limits() {
                 return Some(None);
+            }
+            if let Some(table) = &horizon.table {
+                own.add_bounds(table);
             }
             let (body, flat) = own.coordinates();
             Some(Some((body, Chain { output: own.output, horizon, flat })))
@@ -96,6 +100,9 @@ impl Builder<'_> {
 
     /// Statements that set the flat coordinates, and what they are.
     fn coordinates(&mut self) -> (Vec<Statement>, Vec<Expr>) {
+        if self.spec.schedule().is_some() {
+            return self.reached("q");
+        }
         let flat = self.flat();
         let mut body = Vec::new();
         let mut all = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::super::controller::Builder;
 use super::search::{KEPT, Search};
-use super::{AHEAD, LAST, rest};
+use super::{AHEAD, LAST, longest, rest};
 use crate::code::{Expr, Place, Shape, Statement, Status, Test};
 use crate::request::{After, Flight, MAX_SAMPLES};
 
@@ -39,8 +39,17 @@ impl Builder<'_> {
         let count = |name: &str, value| Statement::Let(name.to_owned(), Shape::Count, value);
         let mut planned = vec![count("to_rest", field().count_left(elapsed()))];
         let ahead = Expr::local("to_rest").count_left(Expr::Count(spare));
-        planned.push(count(AHEAD, ahead));
         let (coordinates, chains) = self.planned_chains();
+        if self.spec.schedule().is_some() {
+            // A call of an earlier tick may have more of them than the table.
+            let most = Expr::Count(longest(&chains, self.spec.precision));
+            planned.push(Statement::Begin(AHEAD.to_owned(), Shape::Count, ahead));
+            let beyond = Test::CountLess(most.clone(), Expr::local(AHEAD));
+            let set = vec![Statement::Set(Place::Local(AHEAD.to_owned()), most)];
+            planned.push(Statement::If(beyond, set, Vec::new()));
+        } else {
+            planned.push(count(AHEAD, ahead));
+        }
         planned.extend(coordinates);
         let below = self.below(rest(&chains), &mut planned);
         let search = Search { first: Expr::local(AHEAD), below, held: true, keeps_first: true };

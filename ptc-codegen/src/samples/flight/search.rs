@@ -11,7 +11,6 @@ use super::{Chain, longest, rest};
 use crate::algebra::BigRational;
 use crate::code::{Expr, For, Index, Place, Shape, Statement, Test};
 use crate::internal::fault;
-use crate::linear::Signal;
 
 /// The samples to go that keep the limits; 0 without any.
 pub(super) const KEPT: &str = "kept";
@@ -19,8 +18,9 @@ pub(super) const KEPT: &str = "kept";
 /// Rounds of the search: doublings and halvings of 30 bits.
 const ROUNDS: usize = 64;
 
-/// The part of the limits that a plan may take.
+/// The part of the limits that a plan may take, and its name beside a table of gains, where another one has it.
 const PART: &str = "part";
+const SHARE: &str = "share";
 
 /// Search for the number of samples to go.
 pub(super) struct Search {
@@ -37,8 +37,7 @@ pub(super) struct Search {
 /// Returns true if a state has a limit, so that a later deadline may be impossible to keep: what a state moves on the way
 /// grows with the time that it takes.
 fn are_bounded(chains: &[Chain]) -> bool {
-    let mut curves = chains.iter().flat_map(|chain| &chain.horizon.stretches[0].curves);
-    curves.any(|curve| curve.signal != Signal::Input)
+    chains.iter().any(|chain| chain.horizon.bounds_states())
 }
 
 /// Statements that set the samples to go that are tried next; `near` if their distance from the first ones grows.
@@ -73,10 +72,11 @@ impl Builder<'_> {
             begin(KEPT, Expr::Count(0)),
             begin(TRIED, search.first.clone()),
         ];
+        let name = if self.spec.schedule().is_some() { SHARE } else { PART };
         let part = match search.keeps_first {
             true => {
-                body.push(Statement::Begin(PART.to_owned(), Shape::Real, all));
-                Expr::local(PART)
+                body.push(Statement::Begin(name.to_owned(), Shape::Real, all));
+                Expr::local(name)
             }
             false => planned.clone(),
         };
@@ -103,7 +103,7 @@ impl Builder<'_> {
         ));
         round.extend(next(&search, search.keeps_first && are_bounded(chains)));
         if search.keeps_first {
-            round.push(set(PART, planned));
+            round.push(set(name, planned));
         }
         let [from, to] = [0, ROUNDS].map(Index::at);
         body.push(Statement::For(For::each("attempt", from, to, round)));
@@ -111,12 +111,13 @@ impl Builder<'_> {
     }
 
     /// The parts of the limits that a deadline may take which is to stay, and a new one: half of the slack lies
-    /// between, so that a plan is not put off by its own rounding.
+    /// between, so that a plan is not put off by its own rounding, and what the bounds of a table may grow on the way.
     pub(super) fn parts(&self, chains: &[Chain]) -> [Expr; 2] {
         let slack = chains.iter().map(|chain| chain.horizon.slack).fold(0.0, f64::max);
         let slack = slack * self.spec.precision.epsilon();
         let reserve = self.flight().and_then(|flight| flight.reserve.to_f64()).unwrap_or(0.0);
-        [1.0 - slack, (1.0 - 2.0 * slack) * (1.0 - reserve)].map(|part| {
+        let growth = chains.iter().map(|chain| chain.horizon.growth()).fold(1.0, f64::max);
+        [1.0 - slack, (1.0 - 2.0 * slack) * (1.0 - reserve) / growth].map(|part| {
             let exact = BigRational::from_float(part);
             Expr::Number(exact.unwrap_or_else(|| fault("the rounding of a plan is no number")))
         })

@@ -58,7 +58,7 @@ impl Writer {
                 let end = self.set(&format!("end{}", self.body.len()), value);
                 tests.extend(limits.admit(bound.signal, &end));
             } else {
-                tests.extend(limits.admit_size(bound, value));
+                tests.extend(limits.admit_size(bound.signal, &bound.share, value));
             }
         }
         tests

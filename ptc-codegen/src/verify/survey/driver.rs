@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::real;
-use crate::verify::{Campaign, Course, Interval, Signal};
+use crate::verify::{Campaign, Interval, Signal};
 
 /// Parts of an interval.
 const PARTS: u8 = 8;
@@ -20,7 +20,7 @@ const DEVIATIONS: f64 = 4.0;
 pub(super) enum Quantity {
     /// A constant: its name, its place in a row, its interval.
     Constant(String, usize, Interval),
-    /// The kind of signal of a disturbance: its name, its place, the kinds.
+    /// The kind of signal of a disturbance: its name, its place in a row, the kinds.
     Signal(String, usize, Vec<Signal>),
 }
 
@@ -42,13 +42,10 @@ impl Quantity {
         let signals =
             campaign.disturbances.iter().enumerate().filter(|(_, (.., kinds))| kinds.len() > 1);
         let signals = signals.map(|(place, (symbol, _, kinds))| {
-            Self::Signal(format!("signal of {}", symbol.spelling()), place, kinds.clone())
+            let name = format!("signal of {}", symbol.spelling());
+            Self::Signal(name, campaign.place_of_signal(place), kinds.clone())
         });
         constants.chain(signals).collect()
-    }
-
-    pub(super) fn is_signal(&self) -> bool {
-        matches!(self, Self::Signal(..))
     }
 
     pub(super) fn parts(&self) -> usize {
@@ -59,15 +56,15 @@ impl Quantity {
     }
 
     /// The part in which a draw is.
-    pub(super) fn part(&self, numbers: &[f64], courses: &[Course]) -> usize {
+    pub(super) fn part(&self, numbers: &[f64]) -> usize {
         match self {
             Self::Constant(_, place, (low, high)) => {
                 let share = (numbers[*place] - low) / (high - low);
                 (1..PARTS).filter(|part| share >= f64::from(*part) / f64::from(PARTS)).count()
             }
             Self::Signal(_, place, kinds) => {
-                let kind = courses[*place].signal();
-                kinds.iter().position(|one| *one == kind).unwrap_or(0)
+                let drawn = numbers[*place];
+                kinds.iter().position(|kind| kind.code() == drawn).unwrap_or(0)
             }
         }
     }

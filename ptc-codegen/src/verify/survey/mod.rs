@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use super::record::Row;
-use super::{Campaign, Course, Tally, Worst};
+use super::{Campaign, Tally, Worst};
 pub use driver::Driver;
 use driver::Quantity;
 use scale::{COARSE, FINE};
@@ -55,12 +55,7 @@ impl Drawn {
     /// Takes the row of a draw.
     pub fn add(&mut self, campaign: &Campaign, row: &Row) {
         self.tally.add(row);
-        // A row has no signals; they follow from its index.
-        let drawn = self.quantities.iter().any(Quantity::is_signal);
-        let courses =
-            if drawn { campaign.scenario(row.index).courses } else { Vec::<Course>::new() };
-        let parts: Vec<_> =
-            self.quantities.iter().map(|one| one.part(&row.numbers, &courses)).collect();
+        let parts: Vec<_> = self.quantities.iter().map(|one| one.part(&row.numbers)).collect();
         let spreads = campaign.objectives.iter().zip(&mut self.spreads).enumerate();
         for (index, (objective, spread)) in spreads {
             let value = self.tally.worst_of(row, index);

@@ -10,7 +10,7 @@ use super::code;
 
 /// Accepted residue at rest, relative to the largest state on the way: the last gains leave some
 /// rounding errors of the state that they find.
-const REST: f64 = 4e-15;
+const REST: f64 = 6e-15;
 
 /// The same with an observer, whose estimates carry the rounding of the state that they were formed at.
 const OBSERVED: f64 = 1e-14;

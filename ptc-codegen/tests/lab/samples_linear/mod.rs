@@ -3,6 +3,8 @@
 
 #[cfg(feature = "lab")]
 mod check;
+#[cfg(feature = "lab")]
+mod flight;
 mod followed;
 mod least_energy;
 mod observer;

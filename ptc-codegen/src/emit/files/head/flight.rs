@@ -21,13 +21,18 @@ pub(super) fn lines(spec: &Spec, sampled: &Sampled) -> Vec<String> {
         false => "; rest is exact from any state, so all else stays as it is",
     };
     let mut lines = vec![format!("In flight: arm_for sets another deadline at any tick{exact}.")];
-    if sampled.horizons(spec).is_none() {
-        return lines;
-    }
-    lines.push(format!(
-        "Plan: on the way to rest u and the states are sums of falling powers of the samples to go, so their Bernstein coefficients, linear in z, bound them. If these are within the limits, u{} stay there at every sample to rest, where plant and state are as they are known.",
-        states(spec, flight)
-    ));
+    let Some(horizons) = sampled.horizons(spec) else { return lines };
+    let kept = states(spec, flight);
+    lines.push(match horizons.first().and_then(|own| own.table.as_ref()) {
+        Some(table) => format!(
+            "Plan: with M samples to go a table holds u{kept} at some samples of the way to rest, as rows times x; those at all others are combinations of these whose factors add up to at most 1 in size, which was examined for each M up to {}. If the rows are within the limits, the smaller one of u_min and u_max, u{kept} stay there at every sample to rest, where plant and state are as they are known. A new plan leaves {:.1} % of the limits, by which rows between the samples may grow on the way.",
+            table.longest,
+            100.0 * (1.0 - table.growth.recip())
+        ),
+        None => format!(
+            "Plan: on the way to rest u and the states are sums of falling powers of the samples to go, so their Bernstein coefficients, linear in z, bound them. If these are within the limits, u{kept} stay there at every sample to rest, where plant and state are as they are known."
+        ),
+    });
     if spec.axes.is_some() {
         lines.push("Axes: all come to rest at the same sample, and each deadline is tested for every one of them.".to_owned());
     }

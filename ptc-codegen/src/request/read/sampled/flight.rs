@@ -118,10 +118,10 @@ impl Reader<'_> {
 /// Returns the reason why no deadline is planned, and the likely fix.
 fn unplanned(spec: &Spec, sampled: &Sampled) -> Option<(&'static str, &'static str)> {
     let is_open = |p: Parameter| !spec.fixed.contains_key(&p);
-    if sampled.linear.is_some() {
+    if sampled.linear.is_some() && spec.schedule().is_none() {
         return Some((
-            "beside A and B: deadlines of such plants are not planned",
-            "`in_flight` = true lets their deadline change, without a plan",
+            "beside A and B and a law of poles",
+            "give `poles` = \"least-energy\", whose deadlines are planned; `in_flight` = true lets any deadline change, without a plan",
         ));
     }
     if spec.reference.is_some() {
@@ -140,6 +140,12 @@ fn unplanned(spec: &Spec, sampled: &Sampled) -> Option<(&'static str, &'static s
         return Some(("without a limit", "give `u_max`, or `state_max` of a state"));
     }
     let Some(horizons) = sampled.horizons(spec) else {
+        if sampled.linear.is_some() {
+            return Some((
+                "beside gains that are held at eps, which are not stable",
+                "give a shorter eps",
+            ));
+        }
         return Some((
             "beside a law whose u has no closed form to its end",
             "take poles = \"least-energy\", or poles that are consecutive multiples of -a from the order of the loop on, and a shorter eps",

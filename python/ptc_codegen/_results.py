@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntEnum
+from html import escape
 from typing import TYPE_CHECKING
+
+from ptc_codegen._picture import Picture
+from ptc_codegen._tables import beside, frame
 
 if TYPE_CHECKING:
     import numpy as np
+    import pandas as pd
     from numpy.typing import NDArray
+
+    from ptc_codegen._design import Design
 
     Array = NDArray[np.float64]
 
@@ -89,6 +96,11 @@ class Report:
     checks: tuple[Check, ...]
     """All of them."""
 
+    def frame(self) -> pd.DataFrame:
+        """The checks as a table of pandas: name, verdict, summary, fix, refuses."""
+        keys = ["name", "verdict", "summary", "fix", "refuses"]
+        return frame({key: [getattr(check, key) for check in self.checks] for key in keys}, {}, False)
+
     def __getitem__(self, name: str) -> Check:
         """The check of a name."""
         for check in self.checks:
@@ -102,6 +114,8 @@ class Report:
 class Run:
     """One closed loop, with k instants of n states."""
 
+    design: Design
+    """Its design."""
     tau: float
     """Settling time [s]."""
     t0: float
@@ -110,8 +124,14 @@ class Run:
     """Names of the states."""
     inputs: tuple[str, ...]
     """Names of the inputs."""
+    units: dict[str, str] = field(repr=False)
+    """Units of t, of states and of inputs by their names; those that the design does not tell are missing."""
+    whole: bool = field(repr=False)
+    """Whether the instants are those of the whole run, not of ``at``."""
     t: Array = field(repr=False)
     """Times [s], shape (k,)."""
+    stretched: Array = field(repr=False)
+    """Stretched times since the start [s], shape (k,); NaN where they are not computed."""
     x: Array = field(repr=False)
     """States of the plant in their units, shape (k, n)."""
     u: Array = field(repr=False)
@@ -125,6 +145,30 @@ class Run:
 
     def __len__(self) -> int:
         return len(self.t)
+
+    @property
+    def held(self) -> bool:
+        """Whether the loop is sampled, and u is held between the instants."""
+        return self.y is not None
+
+    def frame(self, *, labelled: bool = False) -> pd.DataFrame:
+        """A table of pandas: t, states, inputs, and of the sampled loop its measurements y1.. and status.
+
+        ``attrs["units"]`` holds the units; with ``labelled`` the names of the columns have them too: ``x1 [m]``.
+        """
+        columns = {"t": self.t, **beside(self.states, self.x), **beside(self.inputs, self.u)}
+        if self.y is not None:
+            columns.update(beside(tuple(f"y{place + 1}" for place in range(self.y.shape[1])), self.y))
+        if self.status is not None:
+            columns["status"] = self.status
+        return frame(columns, self.units, labelled)
+
+    def plot(self, *, log: bool = False) -> Picture:
+        """Its picture, as ``ptc-codegen simulate --plot`` draws it; `ptc_codegen.plot` draws several runs."""
+        return Picture([self], None, log)
+
+    def _repr_html_(self) -> str:
+        return self.plot()._repr_html_() if self.whole else f"<pre>{escape(repr(self))}</pre>"
 
 
 @dataclass(frozen=True)
@@ -164,6 +208,19 @@ class Trajectory:
     """Excess over each objective, shape (k, m); positive fails."""
     ended: str | None
     """Why it ends early, if it does."""
+    states: tuple[str, ...] = field(repr=False)
+    """Names of the states."""
+    inputs: tuple[str, ...] = field(repr=False)
+    """Names of the inputs."""
+    units: dict[str, str] = field(repr=False)
+    """Units of times, states and inputs by their names, as far as the design tells them."""
+
+    def frame(self, *, labelled: bool = False) -> pd.DataFrame:
+        """A table of pandas, as `Run.frame`: t, time_to_go, states, inputs, and the excess over each objective."""
+        columns = {"t": self.t, "time_to_go": self.time_to_go}
+        columns.update({**beside(self.states, self.x), **beside(self.inputs, self.u)})
+        columns.update(beside(tuple(f"excess{place + 1}" for place in range(self.excess.shape[1])), self.excess))
+        return frame(columns, self.units, labelled)
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,10 +234,24 @@ class Verdict:
     worst: Trajectory | None
     """The worst trajectory of the objective with the largest excess."""
     draws: dict[str, Array] | None = field(repr=False)
-    """The draws by column, shape (scenarios,) each, if they were asked for: what was drawn, the excess
-    of each objective, and the status."""
+    """The draws by column, shape (scenarios,) each, if they were asked for: what was drawn, with the signal of
+    each disturbance, the excess of each objective, and the status."""
+    units: dict[str, str] = field(repr=False)
+    """Units of the columns of ``draws``, as far as the design tells them."""
     text: str = field(repr=False)
     """The report, as ``ptc-codegen verify`` prints it."""
 
+    def frame(self, *, labelled: bool = False) -> pd.DataFrame:
+        """The draws as a table of pandas, one row for each, as `Run.frame`.
+
+        Raises `ValueError` without draws.
+        """
+        if self.draws is None:
+            raise ValueError("the verdict holds no draws: give draws=True to `verify` or `merge`")
+        return frame(self.draws, self.units, labelled)
+
     def __str__(self) -> str:
         return self.text
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(self.text)}</pre>"

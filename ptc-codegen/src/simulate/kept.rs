@@ -1,8 +1,8 @@
 //! Rows of a run kept in memory: all of a short one, and of a long one those that a picture can show.
 
+use super::record::Row;
 use crate::program::range::Range;
 use crate::reference::Status;
-use crate::simulate::record::Row;
 
 /// Most parts of a run, an even number. A run that acts at every instant has fewer rows.
 const PARTS: usize = 1 << 14;
@@ -18,7 +18,7 @@ struct Part {
 }
 
 /// A run.
-pub(super) struct Kept {
+pub struct Kept {
     parts: Vec<Part>,
     /// Rows of a part.
     stride: usize,
@@ -26,16 +26,16 @@ pub(super) struct Kept {
     last: Option<Row>,
     limits: Vec<Range>,
     /// The largest size of each input, and when.
-    pub(super) peaks: Vec<(f64, f64)>,
+    pub peaks: Vec<(f64, f64)>,
     /// Time for which an input is at its bound, counted from each instant to the next, in s.
-    pub(super) saturated: f64,
+    pub saturated: f64,
     /// The first call that the controller refused, and when.
-    pub(super) refused: Option<(Status, f64)>,
+    pub refused: Option<(Status, f64)>,
 }
 
 impl Kept {
     /// A run of no row as yet, of inputs with these limits.
-    pub(super) fn new(limits: Vec<Range>) -> Self {
+    pub fn new(limits: Vec<Range>) -> Self {
         Self {
             parts: Vec::new(),
             stride: 1,
@@ -49,7 +49,7 @@ impl Kept {
     }
 
     /// Takes the next row.
-    pub(super) fn take(&mut self, row: Row) {
+    pub fn take(&mut self, row: Row) {
         let sizes = row.u.iter().map(|u| (u.abs(), row.t));
         if self.peaks.is_empty() {
             self.peaks = sizes.collect();
@@ -107,17 +107,17 @@ impl Kept {
     }
 
     /// The last row.
-    pub(super) fn last(&self) -> Option<&Row> {
+    pub fn last(&self) -> Option<&Row> {
         self.last.as_ref()
     }
 
     /// The rows that were asked for, of a run that acts at every instant.
-    pub(super) fn reported(&self) -> impl Iterator<Item = &Row> {
+    pub fn reported(&self) -> impl Iterator<Item = &Row> {
         self.parts.iter().map(|part| &part.first).filter(|row| row.reported)
     }
 
     /// So many rows evenly spread over the run, the last one included.
-    pub(super) fn spread(&self, most: usize) -> Vec<&Row> {
+    pub fn spread(&self, most: usize) -> Vec<&Row> {
         let last = self.count.saturating_sub(1);
         let mut indices: Vec<_> = (0..most).map(|k| k * last / (most - 1)).collect();
         indices.dedup();
@@ -130,7 +130,7 @@ impl Kept {
 
     /// A curve of the picture: a value of each row by its place among states and inputs. Of a part of several rows
     /// it has two, the least and the greatest.
-    pub(super) fn curve(&self, place: usize) -> Vec<f64> {
+    pub fn curve(&self, place: usize) -> Vec<f64> {
         let both = |part: &Part| match &part.within {
             None => vec![values(&part.first).nth(place).unwrap_or(f64::NAN)],
             Some(within) => vec![within[place].0, within[place].1],
@@ -139,7 +139,7 @@ impl Kept {
     }
 
     /// The same of what a part has once, its time: twice where it has several rows.
-    pub(super) fn instants(&self, of: impl Fn(&Row) -> f64) -> Vec<f64> {
+    pub fn instants(&self, of: impl Fn(&Row) -> f64) -> Vec<f64> {
         let each = |part: &Part| vec![of(&part.first); 1 + usize::from(part.within.is_some())];
         self.parts.iter().flat_map(each).collect()
     }

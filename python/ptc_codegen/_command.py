@@ -4,7 +4,7 @@ import os
 import signal
 import sys
 
-from ptc._ptc import command
+from ptc_codegen._ptc import command
 
 
 def main() -> int:

@@ -6,7 +6,7 @@ from typing import TypedDict, final
 
 from typing_extensions import Self, TypeAlias
 
-__all__ = ["Design", "check", "command", "emit", "merge", "part", "simulate", "verify"]
+__all__ = ["Design", "card", "check", "command", "draw", "emit", "merge", "part", "signals", "simulate", "verify"]
 
 _Given: TypeAlias = Sequence[tuple[str, str]]
 _Progress: TypeAlias = Callable[[int, int], object] | None
@@ -16,13 +16,26 @@ class _Run(TypedDict):
     t0: float
     states: list[str]
     inputs: list[str]
+    units: list[str | None]
     t: bytearray
+    stretched: bytearray
     x: bytearray
     u: bytearray
     y: bytearray | None
     status: list[int] | None
     error: list[float] | None
     warnings: list[str]
+
+class _Drawn(TypedDict):
+    design: Design
+    label: str | None
+    tau: float
+    t0: float
+    held: bool
+    t: bytes
+    stretched: bytes
+    x: bytes
+    u: bytes
 
 class _Objective(TypedDict):
     text: str
@@ -47,7 +60,11 @@ class _Verdict(TypedDict):
     objectives: list[_Objective]
     text: str
     columns: list[str]
+    units: list[str | None]
     rows: bytearray | None
+    states: list[str]
+    inputs: list[str]
+    units_of_run: list[str | None]
     worst: _Trajectory | None
 
 @final
@@ -59,6 +76,9 @@ class Design:
     def text(self) -> str: ...
     @property
     def given(self) -> list[tuple[str, str]]: ...
+    def replace(self, given: _Given) -> Self: ...
+    def number(self, key: str) -> float | None: ...
+    def start(self) -> list[float]: ...
     @property
     def name(self) -> str: ...
     @property
@@ -68,11 +88,14 @@ class Design:
     def fingerprint(self) -> str: ...
     def chosen(self) -> list[tuple[str, str, str]]: ...
 
+def card(design: Design, picture: tuple[str, str] | None, problem: str) -> str: ...
 def command(line: Sequence[str]) -> int: ...
+def draw(runs: Sequence[_Drawn], by_decades: bool, format: str) -> bytes: ...
 def emit(design: Design, lang: str, selftest: bool) -> list[tuple[str, str]]: ...
 def check(
     design: Design,
 ) -> tuple[list[tuple[str, str, str, list[str], str | None]], list[str], list[str], str, str]: ...
+def signals() -> list[str]: ...
 def simulate(
     design: Design,
     x0: Sequence[float],
