@@ -51,8 +51,8 @@ ptc_status ptc_tan2_in_flight_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && PTC_FINITE_F64(a)
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -67,8 +67,8 @@ ptc_status ptc_tan2_in_flight_init(
             const double size_K2 = (fabs(k2) <= 0.0) ? 1e-200 : fabs(K2);
             const double f83 = -(1.5707963267948966 * K2);
             const double f88 = -(0.6366197723675814 * K2);
-            if ((1e-200 <= size_K1)
-                && (1e-200 <= size_K2)
+            if ((size_K1 >= 1e-200)
+                && (size_K2 >= 1e-200)
                 && PTC_FINITE_F64(c1_2)
                 && PTC_FINITE_F64(hold_from)
                 && PTC_FINITE_F64(f83)
@@ -128,7 +128,7 @@ ptc_status ptc_tan2_in_flight_arm_for(ptc_tan2_in_flight *self, double t0, doubl
             && PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (self->eps < tau)) {
+            && (tau > self->eps)) {
             const double angle_rate = 1.5707963267948966 / tau;
             const double inv_angle_rate = 0.6366197723675814 * tau;
             const double deadline = t0 + tau;
@@ -140,8 +140,8 @@ ptc_status ptc_tan2_in_flight_arm_for(ptc_tan2_in_flight *self, double t0, doubl
             const double size_c2_0 = (fabs(self->k2) <= 0.0) ? 1e-200 : fabs(c2_0);
             const double size_c2_2 = (fabs(self->k2) <= 0.0) ? 1e-200 : fabs(c2_2);
             if (PTC_FINITE_F64(deadline)
-                && (1e-200 <= size_c2_0)
-                && (1e-200 <= size_c2_2)
+                && (size_c2_0 >= 1e-200)
+                && (size_c2_2 >= 1e-200)
                 && PTC_FINITE_F64(angle_rate)
                 && PTC_FINITE_F64(inv_angle_rate)
                 && PTC_FINITE_F64(inv_tau)
@@ -175,7 +175,7 @@ ptc_status ptc_tan2_in_flight_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -203,7 +203,7 @@ ptc_status ptc_tan2_in_flight_step(
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {
@@ -233,7 +233,7 @@ ptc_status ptc_tan2_in_flight_tick(
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F64(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F64(t) && (t >= self->t0)) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double v1 = late * self->inv_tau;
@@ -286,7 +286,7 @@ ptc_status ptc_tan2_in_flight_axis(
             status = gains->status;
         } else if (PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
             if (PTC_FINITE_F64(v)) {
-                if (gains->u_max < v) {
+                if (v > gains->u_max) {
                     *u = gains->u_max;
                     status = PTC_SATURATED;
                 } else {

@@ -235,8 +235,8 @@ impl PtcTan2InFlight {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && a.is_finite()
             && (1e-150 <= a)
             && (a <= 1e150)
@@ -254,8 +254,8 @@ impl PtcTan2InFlight {
         let size_K2 = if k2.abs() <= 0.0 { 1e-200 } else { K2.abs() };
         let f83 = -(1.5707963267948966 * K2);
         let f88 = -(0.6366197723675814 * K2);
-        if !((1e-200 <= size_K1)
-            && (1e-200 <= size_K2)
+        if !((size_K1 >= 1e-200)
+            && (size_K2 >= 1e-200)
             && c1_2.is_finite()
             && hold_from.is_finite()
             && f83.is_finite()
@@ -317,7 +317,7 @@ impl PtcTan2InFlight {
             && tau.is_finite()
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (self.eps < tau))
+            && (tau > self.eps))
         {
             return Err(Error::Param);
         }
@@ -340,8 +340,8 @@ impl PtcTan2InFlight {
             c2_2.abs()
         };
         if !(deadline.is_finite()
-            && (1e-200 <= size_c2_0)
-            && (1e-200 <= size_c2_2)
+            && (size_c2_0 >= 1e-200)
+            && (size_c2_2 >= 1e-200)
             && angle_rate.is_finite()
             && inv_angle_rate.is_finite()
             && inv_tau.is_finite()
@@ -368,7 +368,7 @@ impl PtcTan2InFlight {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -401,7 +401,7 @@ impl PtcTan2InFlight {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)
@@ -424,7 +424,7 @@ impl PtcTan2InFlight {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f64) -> Result<PtcTan2InFlightGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -485,7 +485,7 @@ impl PtcTan2InFlightGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else {
                     (-self.u_max, Status::Saturated)

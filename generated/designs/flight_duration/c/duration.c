@@ -46,7 +46,7 @@ ptc_status duration_init(duration *self, const duration_params *params)
             && (1e-18f <= tau)
             && (tau <= 1e18f)
             && PTC_FINITE_F32(t0)
-            && (1e-18f <= eps)
+            && (eps >= 1e-18f)
             && PTC_FINITE_F32(a)
             && (1e-18f <= a)
             && (a <= 1e18f)
@@ -65,8 +65,8 @@ ptc_status duration_init(duration *self, const duration_params *params)
             const float f85 = -(0.40528473f * K2);
             const float f99 = -(1.5707964f * K3);
             const float f103 = -(0.63661975f * K3);
-            if ((1e-30f <= v2)
-                && (1e-30f <= K1)
+            if ((v2 >= 1e-30f)
+                && (K1 >= 1e-30f)
                 && PTC_FINITE_F32(c1_3)
                 && PTC_FINITE_F32(hold_from)
                 && PTC_FINITE_F32(f69)
@@ -138,7 +138,7 @@ ptc_status duration_arm_for(duration *self, float t0, float tau)
             && PTC_FINITE_F32(tau)
             && (1e-18f <= tau)
             && (tau <= 1e18f)
-            && (self->eps < tau)) {
+            && (tau > self->eps)) {
             const float angle_rate = 1.5707964f / tau;
             const float inv_angle_rate = 0.63661975f * tau;
             const float deadline = t0 + tau;
@@ -191,7 +191,7 @@ ptc_status duration_step(const duration *self, float t, const float x[3], float 
         *u = 0.0f;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const float past = (t - self->deadline) - self->correction;
             const float late = (past < self->hold_from) ? past : self->hold_from;
             const float v1 = late * self->inv_tau;
@@ -218,7 +218,7 @@ ptc_status duration_step(const duration *self, float t, const float x[3], float 
                 && PTC_FINITE_F32(x[1])
                 && PTC_FINITE_F32(x[2])) {
                 if (PTC_FINITE_F32(v)) {
-                    if (100.0f < v) {
+                    if (v > 100.0f) {
                         *u = 100.0f;
                         status = PTC_SATURATED;
                     } else if (v < -100.0f) {
@@ -245,7 +245,7 @@ ptc_status duration_tick(const duration *self, float t, duration_gains *gains)
     ptc_status status = PTC_E_INPUT;
 
     if ((self != NULL) && (gains != NULL)) {
-        if (PTC_FINITE_F32(t) && (self->t0 <= t)) {
+        if (PTC_FINITE_F32(t) && (t >= self->t0)) {
             const float past = (t - self->deadline) - self->correction;
             const float late = (past < self->hold_from) ? past : self->hold_from;
             const float v1 = late * self->inv_tau;
@@ -292,7 +292,7 @@ ptc_status duration_axis(const duration_gains *gains, const float x[3], float *u
             status = gains->status;
         } else if (PTC_FINITE_F32(x[0]) && PTC_FINITE_F32(x[1]) && PTC_FINITE_F32(x[2])) {
             if (PTC_FINITE_F32(v)) {
-                if (100.0f < v) {
+                if (v > 100.0f) {
                     *u = 100.0f;
                     status = PTC_SATURATED;
                 } else {

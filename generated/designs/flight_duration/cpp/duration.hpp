@@ -77,8 +77,8 @@
  * Operations of one step, without input checks and clipping: 21 additions or comparisons, 28
  *       multiplications, 1 division.
  */
-#ifndef DURATION_5250E381_HPP
-#define DURATION_5250E381_HPP
+#ifndef DURATION_D3D15BAF_HPP
+#define DURATION_D3D15BAF_HPP
 
 #include <array>
 #include <cfloat>
@@ -163,7 +163,7 @@ struct [[nodiscard]] DurationGains {
             return {v, status};
         } else if (finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (100.0f < v) {
+                if (v > 100.0f) {
                     return {100.0f, Status::Saturated};
                 } else {
                     return {-100.0f, Status::Saturated};
@@ -209,7 +209,7 @@ public:
                 && (1e-18f <= tau)
                 && (tau <= 1e18f)
                 && finite(t0)
-                && (1e-18f <= eps)
+                && (eps >= 1e-18f)
                 && finite(a)
                 && (1e-18f <= a)
                 && (a <= 1e18f)
@@ -230,8 +230,8 @@ public:
         const float f85 = -(0.40528473f * K2);
         const float f99 = -(1.5707964f * K3);
         const float f103 = -(0.63661975f * K3);
-        if (!((1e-30f <= v2)
-                && (1e-30f <= K1)
+        if (!((v2 >= 1e-30f)
+                && (K1 >= 1e-30f)
                 && finite(c1_3)
                 && finite(hold_from)
                 && finite(f69)
@@ -296,7 +296,7 @@ public:
     /// Ok, or Param with nothing changed.
     [[nodiscard]] constexpr Status arm_for(float t0, float tau) noexcept
     {
-        if (!(finite(t0) && finite(tau) && (1e-18f <= tau) && (tau <= 1e18f) && (eps_ < tau))) {
+        if (!(finite(t0) && finite(tau) && (1e-18f <= tau) && (tau <= 1e18f) && (tau > eps_))) {
             return Status::Param;
         }
         const float angle_rate = 1.5707964f / tau;
@@ -345,7 +345,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<float> step(float t, const std::array<float, 3>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0f, Status::Input};
         }
         const float past = (t - deadline_) - correction_;
@@ -370,7 +370,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1]) && finite(x[2])) {
             if (finite(v)) {
-                if (100.0f < v) {
+                if (v > 100.0f) {
                     return {100.0f, Status::Saturated};
                 } else if (v < -100.0f) {
                     return {-100.0f, Status::Saturated};
@@ -389,7 +389,7 @@ public:
     /// each. The result of tick and axis may differ from that of step in the last bits.
     constexpr Gains tick(float t) const noexcept
     {
-        if (!(finite(t) && (t0_ <= t))) {
+        if (!(finite(t) && (t >= t0_))) {
             return {};
         }
         const float past = (t - deadline_) - correction_;

@@ -25,7 +25,7 @@ if isfinite(v) && (abs(v) <= single(100.0))
     status = gains.status;
 elseif isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
     if isfinite(v)
-        if single(100.0) < v
+        if v > single(100.0)
             u = single(100.0);
             status = int32(2);
         else

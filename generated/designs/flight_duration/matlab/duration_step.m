@@ -15,7 +15,7 @@ function [u, status] = duration_step(self, t, x) %#codegen
 u = single(0.0);
 t = single(t);
 x = single(x);
-if ~(self.t0 <= t)
+if ~(t >= self.t0)
     status = int32(-2);
     return;
 end
@@ -42,7 +42,7 @@ if isfinite(v) && (abs(v) <= single(100.0)) && (late < self.hold_from)
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2)) && isfinite(x(3))
     if isfinite(v)
-        if single(100.0) < v
+        if v > single(100.0)
             u = single(100.0);
             status = int32(2);
         elseif v < -single(100.0)

@@ -8,7 +8,7 @@ gains.gain = zeros(1, 3, 'single');
 status = int32(-2);
 gains.status = status;
 t = single(t);
-if ~(isfinite(t) && (self.t0 <= t))
+if ~(isfinite(t) && (t >= self.t0))
     status = int32(-2);
     return;
 end

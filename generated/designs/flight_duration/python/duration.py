@@ -165,7 +165,7 @@ class Gains:
             way1 = np.isfinite(v) & (np.abs(v) <= _R(100.0))
             way2 = np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = np.isfinite(v)
-            way4 = _R(100.0) < v
+            way4 = v > _R(100.0)
             status = np.where(way1, self.status, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, Status.SATURATED), Status.RANGE), Status.INPUT))
             status = np.where(self.status < 0, self.status, status)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, _R(100.0), -_R(100.0)))), status.astype(np.int8))
@@ -193,7 +193,7 @@ class Duration:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1.000000045813705e-18 to 9.999999843067494e17")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (_R(1.000000045813705e-18) <= eps):
+            if not (eps >= _R(1.000000045813705e-18)):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1.000000045813705e-18")
             if not (
                 np.isfinite(a)
@@ -217,8 +217,8 @@ class Duration:
             f99 = -(_R(1.5707963705062866) * K3)
             f103 = -(_R(0.6366197466850281) * K3)
             if not (
-                (_R(1.0000000031710769e-30) <= v2)
-                and (_R(1.0000000031710769e-30) <= K1)
+                (v2 >= _R(1.0000000031710769e-30))
+                and (K1 >= _R(1.0000000031710769e-30))
                 and np.isfinite(c1_3)
                 and np.isfinite(hold_from)
                 and np.isfinite(f69)
@@ -287,7 +287,7 @@ class Duration:
                 np.isfinite(t0)
                 and np.isfinite(tau)
                 and (_R(1.000000045813705e-18) <= tau <= _R(9.999999843067494e17))
-                and (self._eps < tau)
+                and (tau > self._eps)
             ):
                 raise ValueError("t0 and tau, and what follows, must be finite, and tau within its domain")
             angle_rate = _R(1.5707963705062866) / tau
@@ -360,9 +360,9 @@ class Duration:
             way1 = np.isfinite(v) & (np.abs(v) <= _R(100.0)) & (late < self._hold_from)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2) & np.isfinite(x3)
             way3 = np.isfinite(v)
-            way4 = _R(100.0) < v
+            way4 = v > _R(100.0)
             way5 = v < -_R(100.0)
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(t >= self._t0, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, _R(100.0), np.where(way5, -_R(100.0), v)))), status.astype(np.int8))
 
     def tick(self, t: ArrayLike) -> Gains:
@@ -391,6 +391,6 @@ class Duration:
             row2 = (s3 * cot_rate_squared) + self._c2_0 + s4
             row3 = (self._c3_2 * cot_rate_squared) + self._c3_0 + (_R(6.0) * cot_rate)
             way1 = late < self._hold_from
-            status = np.where(np.isfinite(t) & (self._t0 <= t), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
+            status = np.where(np.isfinite(t) & (t >= self._t0), np.where(way1, Status.OK, Status.HOLD), Status.INPUT)
             gain = np.stack(np.broadcast_arrays(row1, row2, row3), axis=-1)
             return Gains(gain, status.astype(np.int8))

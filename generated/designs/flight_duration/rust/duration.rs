@@ -249,7 +249,7 @@ impl Duration {
             && (1e-18 <= tau)
             && (tau <= 1e18)
             && t0.is_finite()
-            && (1e-18 <= eps)
+            && (eps >= 1e-18)
             && a.is_finite()
             && (1e-18 <= a)
             && (a <= 1e18)
@@ -271,8 +271,8 @@ impl Duration {
         let f85 = -(0.40528473 * K2);
         let f99 = -(1.5707964 * K3);
         let f103 = -(0.63661975 * K3);
-        if !((1e-30 <= v2)
-            && (1e-30 <= K1)
+        if !((v2 >= 1e-30)
+            && (K1 >= 1e-30)
             && c1_3.is_finite()
             && hold_from.is_finite()
             && f69.is_finite()
@@ -346,7 +346,7 @@ impl Duration {
             && tau.is_finite()
             && (1e-18 <= tau)
             && (tau <= 1e18)
-            && (self.eps < tau))
+            && (tau > self.eps))
         {
             return Err(Error::Param);
         }
@@ -399,7 +399,7 @@ impl Duration {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f32, x: &[f32; 3]) -> Result<Control<f32>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -428,7 +428,7 @@ impl Duration {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if 100.0 < v {
+                if v > 100.0 {
                     (100.0, Status::Saturated)
                 } else if v < -100.0 {
                     (-100.0, Status::Saturated)
@@ -451,7 +451,7 @@ impl Duration {
     /// `Input`: an argument is not finite or out of its domain.
     #[inline]
     pub fn tick(&self, t: f32) -> Result<DurationGains, Error> {
-        if !(t.is_finite() && (self.t0 <= t)) {
+        if !(t.is_finite() && (t >= self.t0)) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -508,7 +508,7 @@ impl DurationGains {
             (v, self.status)
         } else if x[0].is_finite() && x[1].is_finite() && x[2].is_finite() {
             if v.is_finite() {
-                if 100.0 < v {
+                if v > 100.0 {
                     (100.0, Status::Saturated)
                 } else {
                     (-100.0, Status::Saturated)

@@ -50,8 +50,8 @@ ptc_status duration_latched_init(
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && PTC_FINITE_F64(t0)
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && (0.5 <= p_c)
             && (p_c <= 2.0)
             && (eps < tau)) {
@@ -113,7 +113,7 @@ ptc_status duration_latched_arm_for(
             && PTC_FINITE_F64(tau)
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (self->eps < tau)) {
+            && (tau > self->eps)) {
             const double deadline = t0 + tau;
             const double v1 = deadline - t0;
             const double correction = (t0 - (deadline - v1)) + (tau - v1);
@@ -143,7 +143,7 @@ ptc_status duration_latched_step(
         *u = 0.0;
     }
     if ((self != NULL) && (x != NULL) && (u != NULL)) {
-        if (self->t0 <= t) {
+        if (t >= self->t0) {
             const double past = (t - self->deadline) - self->correction;
             const double late = (past < self->hold_from) ? past : self->hold_from;
             const double T = -late;
@@ -161,7 +161,7 @@ ptc_status duration_latched_step(
                 status = PTC_OK;
             } else if (PTC_FINITE_F64(t) && PTC_FINITE_F64(x[0]) && PTC_FINITE_F64(x[1])) {
                 if (PTC_FINITE_F64(v)) {
-                    if (self->u_max < v) {
+                    if (v > self->u_max) {
                         *u = self->u_max;
                         status = PTC_SATURATED;
                     } else if (v < -self->u_max) {

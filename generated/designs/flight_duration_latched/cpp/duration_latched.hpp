@@ -54,8 +54,8 @@
  * Operations of one step, without input checks and clipping: 11 additions or comparisons, 15
  *       multiplications, 3 divisions.
  */
-#ifndef DURATION_LATCHED_A7E7AF5B_HPP
-#define DURATION_LATCHED_A7E7AF5B_HPP
+#ifndef DURATION_LATCHED_13BE8EC6_HPP
+#define DURATION_LATCHED_13BE8EC6_HPP
 
 #include <array>
 #include <cfloat>
@@ -143,8 +143,8 @@ public:
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
                 && finite(t0)
-                && (1e-150 <= eps)
-                && (0.0 < u_max)
+                && (eps >= 1e-150)
+                && (u_max > 0.0)
                 && (0.5 <= p_c)
                 && (p_c <= 2.0)
                 && (eps < tau))) {
@@ -202,7 +202,7 @@ public:
                 && finite(tau)
                 && (1e-150 <= tau)
                 && (tau <= 1e150)
-                && (eps_ < tau))) {
+                && (tau > eps_))) {
             return Status::Param;
         }
         const double deadline = t0 + tau;
@@ -224,7 +224,7 @@ public:
     /// On a negative status u is 0 and nothing has changed.
     constexpr Control<double> step(double t, const std::array<double, 2>& x) const noexcept
     {
-        if (!(t0_ <= t)) {
+        if (!(t >= t0_)) {
             return {0.0, Status::Input};
         }
         const double past = (t - deadline_) - correction_;
@@ -243,7 +243,7 @@ public:
             return {v, Status::Ok};
         } else if (finite(t) && finite(x[0]) && finite(x[1])) {
             if (finite(v)) {
-                if (u_max_ < v) {
+                if (v > u_max_) {
                     return {u_max_, Status::Saturated};
                 } else if (v < -u_max_) {
                     return {-u_max_, Status::Saturated};

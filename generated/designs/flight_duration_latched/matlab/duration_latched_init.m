@@ -84,10 +84,10 @@ end
 if ~isfinite(t0)
     error('duration_latched:param', 'params.t0 is %g; legal: finite', params.t0);
 end
-if ~(1e-150 <= eps)
+if ~(eps >= 1e-150)
     error('duration_latched:param', 'params.eps is %g; legal: >= 1e-150', params.eps);
 end
-if ~(0.0 < u_max)
+if ~(u_max > 0.0)
     error('duration_latched:param', 'params.u_max is %g; legal: > 0', params.u_max);
 end
 if ~((0.5 <= p_c) && (p_c <= 2.0))

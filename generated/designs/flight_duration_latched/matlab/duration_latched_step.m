@@ -15,7 +15,7 @@ function [u, status] = duration_latched_step(self, t, x) %#codegen
 u = 0.0;
 t = double(t);
 x = double(x);
-if ~(self.t0 <= t)
+if ~(t >= self.t0)
     status = int32(-2);
     return;
 end
@@ -36,7 +36,7 @@ if isfinite(v) && (abs(v) <= self.u_max) && (late < self.hold_from)
     status = int32(0);
 elseif isfinite(t) && isfinite(x(1)) && isfinite(x(2))
     if isfinite(v)
-        if self.u_max < v
+        if v > self.u_max
             u = self.u_max;
             status = int32(2);
         elseif v < -self.u_max

@@ -152,9 +152,9 @@ class DurationLatched:
                 raise ValueError(f"params.tau is {params.tau}; legal: from 1e-150 to 1e150")
             if not np.isfinite(t0):
                 raise ValueError(f"params.t0 is {params.t0}; legal: finite")
-            if not (1e-150 <= eps):
+            if not (eps >= 1e-150):
                 raise ValueError(f"params.eps is {params.eps}; legal: >= 1e-150")
-            if not (0.0 < u_max):
+            if not (u_max > 0.0):
                 raise ValueError(f"params.u_max is {params.u_max}; legal: > 0")
             if not (0.5 <= p_c <= 2.0):
                 raise ValueError(f"params.c is {params.c}; legal: from 0.5 to 2")
@@ -213,7 +213,7 @@ class DurationLatched:
                 and np.isfinite(x0[1])
                 and np.isfinite(tau)
                 and (1e-150 <= tau <= 1e150)
-                and (self._eps < tau)
+                and (tau > self._eps)
             ):
                 raise ValueError("t0 and tau and x0, and what follows, must be finite, and tau within its domain")
             deadline = t0 + tau
@@ -251,7 +251,7 @@ class DurationLatched:
             way1 = np.isfinite(v) & (np.abs(v) <= self._u_max) & (late < self._hold_from)
             way2 = np.isfinite(t) & np.isfinite(x1) & np.isfinite(x2)
             way3 = np.isfinite(v)
-            way4 = self._u_max < v
+            way4 = v > self._u_max
             way5 = v < -self._u_max
-            status = np.where(self._t0 <= t, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
+            status = np.where(t >= self._t0, np.where(way1, Status.OK, np.where(way2, np.where(way3, np.where(way4, Status.SATURATED, np.where(way5, Status.SATURATED, Status.HOLD)), Status.RANGE), Status.INPUT)), Status.INPUT)
             return Control(np.where(status < 0, _R(0.0), np.where(way1, v, np.where(way4, self._u_max, np.where(way5, -self._u_max, v)))), status.astype(np.int8))

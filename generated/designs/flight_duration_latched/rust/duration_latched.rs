@@ -192,8 +192,8 @@ impl DurationLatched {
             && (1e-150 <= tau)
             && (tau <= 1e150)
             && t0.is_finite()
-            && (1e-150 <= eps)
-            && (0.0 < u_max)
+            && (eps >= 1e-150)
+            && (u_max > 0.0)
             && (0.5 <= p_c)
             && (p_c <= 2.0)
             && (eps < tau))
@@ -256,7 +256,7 @@ impl DurationLatched {
             && tau.is_finite()
             && (1e-150 <= tau)
             && (tau <= 1e150)
-            && (self.eps < tau))
+            && (tau > self.eps))
         {
             return Err(Error::Param);
         }
@@ -281,7 +281,7 @@ impl DurationLatched {
     /// `Input`: an argument is not finite or out of its domain. `Range`: u is not finite.
     #[inline]
     pub fn step(&self, t: f64, x: &[f64; 2]) -> Result<Control<f64>, Error> {
-        if !(self.t0 <= t) {
+        if !(t >= self.t0) {
             return Err(Error::Input);
         }
         let past = (t - self.deadline) - self.correction;
@@ -304,7 +304,7 @@ impl DurationLatched {
             (v, Status::Ok)
         } else if t.is_finite() && x[0].is_finite() && x[1].is_finite() {
             if v.is_finite() {
-                if self.u_max < v {
+                if v > self.u_max {
                     (self.u_max, Status::Saturated)
                 } else if v < -self.u_max {
                     (-self.u_max, Status::Saturated)

@@ -166,7 +166,8 @@ impl Builder<'_> {
             return None;
         }
         let limit = self.parameter(parameter);
-        let is_own = |design: &Spec| design.fixed.get(&parameter) != self.spec.fixed.get(&parameter);
+        let is_own =
+            |design: &Spec| design.fixed.get(&parameter) != self.spec.fixed.get(&parameter);
         let name = match self.designs.iter().any(is_own) {
             true => self.named(parameter.key()),
             false => parameter.key().to_owned(),

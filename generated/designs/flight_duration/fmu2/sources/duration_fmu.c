@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{bdb8179a-fcf7-6401-a19d-096be705f280}"
+#define TOKEN "{c3b944d0-4467-dcba-4c2e-ee333c41abc8}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u
@@ -130,7 +130,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(t0) != 0))) {
         return refuse(instance, "t0", (float)instance->state.params.t0, "start time [s], finite");
     }
-    if (!(1e-18f <= eps)) {
+    if (!(eps >= 1e-18f)) {
         return refuse(instance, "eps", (float)instance->state.params.eps, "time-to-go at which the gains are held [s], >= 1.000000045813705e-18");
     }
     if (!((isfinite(a) != 0) && (1e-18f <= a) && (a <= 1e18f))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{9528eba3-6864-d72c-ffa5-e2be99113a66}"
+#define TOKEN "{a856e0f1-d20d-2570-daf8-3b7dd803aac2}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u
@@ -129,7 +129,7 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(t0) != 0))) {
         return refuse(instance, "t0", (float)instance->state.params.t0, "start time [s], finite");
     }
-    if (!(1e-18f <= eps)) {
+    if (!(eps >= 1e-18f)) {
         return refuse(instance, "eps", (float)instance->state.params.eps, "time-to-go at which the gains are held [s], >= 1.000000045813705e-18");
     }
     if (!((isfinite(a) != 0) && (1e-18f <= a) && (a <= 1e18f))) {

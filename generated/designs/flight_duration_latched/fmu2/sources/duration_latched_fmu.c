@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{154bd828-3bae-0f2d-1b38-301393ef616a}"
+#define TOKEN "{dcc316ed-5c25-81dd-3551-a6fb189a1d5a}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u
@@ -135,10 +135,10 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(t0) != 0))) {
         return refuse(instance, "t0", (double)instance->state.params.t0, "start time [s], finite");
     }
-    if (!(1e-150 <= eps)) {
+    if (!(eps >= 1e-150)) {
         return refuse(instance, "eps", (double)instance->state.params.eps, "time-to-go at which the gains are held [s], >= 1e-150");
     }
-    if (!(0.0 < u_max)) {
+    if (!(u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((0.5 <= p_c) && (p_c <= 2.0))) {

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{8a17cbc7-a193-b839-bbed-60c251fb3661}"
+#define TOKEN "{808a85c3-1a5a-8a9c-c0bc-5d4bf48810d1}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 4u
@@ -134,10 +134,10 @@ static int parameters_are_legal(const Instance *instance)
     if (!((isfinite(t0) != 0))) {
         return refuse(instance, "t0", (double)instance->state.params.t0, "start time [s], finite");
     }
-    if (!(1e-150 <= eps)) {
+    if (!(eps >= 1e-150)) {
         return refuse(instance, "eps", (double)instance->state.params.eps, "time-to-go at which the gains are held [s], >= 1e-150");
     }
-    if (!(0.0 < u_max)) {
+    if (!(u_max > 0.0)) {
         return refuse(instance, "u_max", (double)instance->state.params.u_max, "bound of |u| [unit of u], > 0");
     }
     if (!((0.5 <= p_c) && (p_c <= 2.0))) {
