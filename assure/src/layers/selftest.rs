@@ -167,7 +167,7 @@ const IN_SAMPLES: [Defect; 6] = [
     ("k - self->start", "k", "a start that is not subtracted from the tick"),
     ("self->u1 = u_now", "self->u1 = v", "an input kept before it is clipped"),
     ("self->seen = 1U", "self->seen = 0U", "estimates that begin anew at each call"),
-    ("u_now = -6.0", "u_now = 6.0", "no clipping from below, in samples"),
+    ("u_now = -STAGE_U_MAX", "u_now = STAGE_U_MAX", "no clipping from below, in samples"),
     ("PTC_FINITE_F64(y[0])", "(y[0] < 1e300)", "a measurement that is not checked"),
     ("status = PTC_HOLD", "status = PTC_OK", "no status of the hold"),
 ];

@@ -17,8 +17,8 @@ const DEFECTS: [(Defect, usize); 10] = [
     ((" && PTC_FINITE_F64(x[0])", "", "the guard of x1 left out"), 0),
     (
         (
-            "if (self->t0 <= t) {",
-            "if ((self->t0 - (4.0 * self->tau)) <= t) {",
+            "if (t >= self->t0) {",
+            "if (t >= (self->t0 - (4.0 * self->tau))) {",
             "the guard of t0 left out",
         ),
         1,
@@ -50,7 +50,10 @@ const IN_SAMPLES: [(Defect, usize); 6] = [
     ((" && (y != NULL)", "", "the check of y for NULL left out"), 0),
     (("y[0] - p1", "y[1] - p1", "a measurement beyond the array"), 0),
     (("(xhat != NULL)", "(self != NULL)", "the check of xhat for NULL left out"), 0),
-    (("(v < -6.0)", "(v < -12.0)", "the lower clamp too low, in samples"), 1),
+    (
+        ("(v < -STAGE_U_MAX)", "(v < (-2.0 * STAGE_U_MAX))", "the lower clamp too low, in samples"),
+        1,
+    ),
     (("(elapsed < 97U)", "(elapsed < 103U)", "the law used where it does not exist"), 1),
 ];
 
