@@ -254,6 +254,7 @@ impl Parsed<'_> {
     }
 
     /// The same of a controller that runs, whose duration may be given where the code leaves it open.
+    #[cfg(feature = "lab")]
     pub(crate) fn read_run(&self) -> Result<(Spec, Option<Plant>), Failure> {
         self.read_by(plant::read_run)
     }

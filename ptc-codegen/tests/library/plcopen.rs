@@ -82,7 +82,11 @@ fn variables(list: Node<'_, '_>) -> String {
     let line = |variable| {
         let about = child(variable, "documentation").map(paragraph);
         let about = about.map_or(String::new(), |about| format!(" (* {about} *)"));
-        format!("    {} : {};{about}\n", name(variable), kind(the(variable, &["type"])))
+        let value = child(variable, "initialValue").map(|own| the(own, &["simpleValue"]));
+        let value = value.and_then(|own| own.attribute("value"));
+        let value = value.map_or(String::new(), |value| format!(" := {value}"));
+        let kind = kind(the(variable, &["type"]));
+        format!("    {} : {kind}{value};{about}\n", name(variable))
     };
     elements(list).map(line).collect()
 }
@@ -102,6 +106,7 @@ fn unit(pou: Node<'_, '_>) -> String {
         let var = match list.tag_name().name() {
             "inputVars" => "VAR_INPUT",
             "outputVars" => "VAR_OUTPUT",
+            "localVars" if list.attribute("constant") == Some("true") => "VAR CONSTANT",
             "localVars" => "VAR",
             "tempVars" => "VAR_TEMP",
             other => panic!("{other}"),
@@ -219,7 +224,7 @@ fn structured_text_keeps_to_what_matiec_takes() {
                 let digits: String = literal.chars().take_while(|c| number(*c)).collect();
                 let value: f64 = digits.trim_end_matches(['+', '-']).parse().expect("a number");
                 let real = f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX);
-                assert!(value == 0.0 || real.contains(&value), "{line}");
+                assert!(value == 0.0 || real.contains(&value.abs()), "{line}");
                 literals += 1;
             }
         }
