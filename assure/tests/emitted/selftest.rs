@@ -161,7 +161,7 @@ fn an_altered_controller_fails() {
         (&[("n", "2"), ("mu", "exp")], " && PTC_FINITE_F64(x[1])", ""),
         (&[("n", "2"), ("mu", "exp")], "(past < self->hold_from) ? past : self->hold_from", "past"),
         (&[("n", "2"), ("mu", "exp")], "*u = self->u_max;", "*u = 2.0 * self->u_max;"),
-        (&[("n", "2"), ("mu", "exp")], "(self->u_max < v)", "((1.6 * self->u_max) < v)"),
+        (&[("n", "2"), ("mu", "exp")], "(v > self->u_max)", "(v > (1.6 * self->u_max))"),
         (&[("n", "2"), ("mu", "exp")], "(v < -self->u_max)", "(v < (-1.6 * self->u_max))"),
         (&[("n", "2"), ("mu", "exp")], "PTC_FINITE_F64(deadline)", "PTC_FINITE_F64(t0)"),
         (&[("n", "2"), ("mu", "exp_sum"), ("pi0", "extern")], "(y + v20)", "y"),
@@ -174,8 +174,8 @@ fn an_altered_controller_fails() {
         ),
         (
             &[("n", "1"), ("mu", "exp"), ("after", "zero")],
-            "if (0.0 <= past) {",
-            "if (1.0 <= past) {",
+            "if (past >= 0.0) {",
+            "if (past >= 1.0) {",
         ),
     ];
     altered_fail(&home, &altered);
@@ -191,14 +191,14 @@ fn an_altered_controller_in_samples_fails() {
         (&fixed[..], "k - self->start", "k"),
         (&fixed, "self->start = k", "self->start = k + 1U"),
         (&fixed, "self->u1 = u_now", "self->u1 = v"),
-        (&fixed, "u_now = -6.0", "u_now = 6.0"),
+        (&fixed, "u_now = -STAGE_U_MAX", "u_now = STAGE_U_MAX"),
         (&fixed, "PTC_FINITE_F64(y[0])", "(y[0] < 1e300)"),
         (&fixed, "self->d_hat = d;", "self->d_hat = 0.5 * d;"),
         (&fixed, "self->seen = 1U", "self->seen = 0U"),
         (&fixed, "status = PTC_HOLD", "status = PTC_OK"),
-        (&open[..], "(0.0 < params->u_max)", "(-1.0 < params->u_max)"),
-        (&open, "(1U < params->samples)", "(0U < params->samples)"),
-        (&open, "(0.0 <= params->deadbeat)", "(-2.0 <= params->deadbeat)"),
+        (&open[..], "(params->u_max > 0.0)", "(params->u_max > -1.0)"),
+        (&open, "(params->samples > 1U)", "(params->samples > 0U)"),
+        (&open, "(params->deadbeat >= 0.0)", "(params->deadbeat >= -2.0)"),
         (&alone, "PTC_FINITE_F64(u)", "(u < 1e300)"),
         (&alone, "self->u1 = u;", "self->u1 = 1.0;"),
     ];

@@ -74,6 +74,15 @@ def parsed(text: str) -> st.SourceCode:
     return result.transform()
 
 
+def number(literal: Any) -> Any:
+    """The value of a literal, in the type that it names."""
+    if isinstance(literal, st.Real):
+        return REALS[str(literal.type_name).lower()](str(literal.value))
+    if isinstance(literal, st.Integer):
+        return TYPES[str(literal.type_name).lower()](int(literal.value))
+    raise Wrong(f"a {type(literal).__name__} is no literal")
+
+
 class Library:
     """The types, functions and function blocks of a file."""
 
@@ -126,6 +135,7 @@ class Unit:
     def __init__(self, library: Library, item: Any) -> None:
         self.library, self.name = library, str(item.name).lower()
         self.kinds: dict[str, Any] = {}
+        self.initial: dict[str, Any] = {}
         self.inputs: list[str] = []
         self.temporary: list[str] = []
         if isinstance(item, st.Function):
@@ -135,6 +145,8 @@ class Unit:
                 for variable in one.variables:
                     name = str(variable.variable.name).lower()
                     self.declare(name, library.kind(one.init))
+                    if (value := getattr(one.init, "value", None)) is not None:
+                        self.initial[name] = same_type(number(value), self.kinds[name], name)
                     if isinstance(block, st.InputDeclarations):
                         self.inputs.append(name)
                     if isinstance(block, st.TemporaryVariableDeclarations):
@@ -152,7 +164,8 @@ class Unit:
         self.kinds[name] = kind
 
     def memory(self) -> dict[str, Any]:
-        return {name: self.library.fresh(kind) for name, kind in self.kinds.items()}
+        fresh = {name: self.library.fresh(kind) for name, kind in self.kinds.items()}
+        return fresh | self.initial
 
     def execute(self, memory: dict[str, Any]) -> None:
         for name in self.temporary:
@@ -200,15 +213,11 @@ class Unit:
     def expression(self, e: Any) -> str:
         if isinstance(e, (st.SimpleVariable, st.MultiElementVariable)):
             return self.place(e)[0]
-        if isinstance(e, st.Real):
+        if isinstance(e, st.Integer) and e.type_name is None:
+            return str(int(e.value))
+        if isinstance(e, (st.Real, st.Integer)):
             name = f"number{len(self.constants)}"
-            self.constants[name] = REALS[str(e.type_name).lower()](str(e.value))
-            return name
-        if isinstance(e, st.Integer):
-            if e.type_name is None:
-                return str(int(e.value))
-            name = f"number{len(self.constants)}"
-            self.constants[name] = TYPES[str(e.type_name).lower()](int(e.value))
+            self.constants[name] = number(e)
             return name
         if isinstance(e, st.Boolean):
             return str(str(e.value).lower() in ("true", "1"))
