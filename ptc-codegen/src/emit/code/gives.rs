@@ -54,6 +54,7 @@ impl Gives {
 }
 
 /// Returns what a function with a status alone requires, in words.
+#[cfg(feature = "files")]
 pub(in crate::emit) fn required(function: &Function) -> String {
     let list: Vec<_> = function.arguments.iter().map(|own| own.name.as_str()).collect();
     let finite = format!("{}, and what follows, must be finite", list.join(" and "));
