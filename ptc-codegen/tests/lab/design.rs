@@ -19,7 +19,9 @@ fn folder(test: &str, wish: &str) -> PathBuf {
 /// Designs `wish.toml` into `roll.toml`, which must succeed, and gives the file and the output.
 fn designed(folder: &Path) -> (String, String) {
     let (code, told, wrong) = run(folder, &["design", "wish.toml", "-o", "roll.toml"]);
-    assert_eq!((code, wrong.as_str()), (Some(0), ""), "{told}");
+    // A slow machine is told how far the search is.
+    let wrong: Vec<_> = wrong.lines().filter(|line| !line.starts_with("note: designing")).collect();
+    assert_eq!((code, wrong), (Some(0), Vec::new()), "{told}");
     assert!(told.ends_with("wrote roll.toml\n"), "{told}");
     (fs::read_to_string(folder.join("roll.toml")).expect("a design"), told)
 }
