@@ -4,12 +4,10 @@
     python3 tools/flight.py late COMMAND      deadlines that are put off: held, kicked, a payload, a start in motion
     python3 tools/flight.py told COMMAND      functions called in random order between samples: at rest all the same
     python3 tools/flight.py fast COMMAND      time to rest over the least there is, from random states
-    python3 tools/flight.py cost COMMAND      instructions of `step` and `soonest`, by callgrind
     python3 tools/flight.py oracle COMMAND    soonest deadlines of tests/data/soonest.json, where the least one is known
 
-COMMAND is the path of ptc-codegen. Needs a C compiler called cc; `fast` needs PyPI's ruckig for n = 3,
-`cost` valgrind. Each of the others ends with 1 where a limit is exceeded, or the
-plant is not at rest.
+COMMAND is the path of ptc-codegen. Needs a C compiler called cc; `fast` needs PyPI's ruckig for n = 3.
+Each of the others ends with 1 where a limit is exceeded, or the plant is not at rest.
 """
 
 import argparse
@@ -339,49 +337,9 @@ def fast(command, options):
     return bad
 
 
-MEASURED = """#include "probe.h"
-#include <stdlib.h>
-int main(void)
-{
-    static probe c;
-    probe_params params = {0};
-    double x[4] = {0.0}, u;
-    uint32_t samples = 0U;
-    probe_init(&c, &params);
-    srand(1U);
-    for (uint32_t i = 0U; i < 1000U; i++) {
-        for (int j = 0; j < N; j++) { x[j] = (rand() / (double)RAND_MAX - 0.5) * 0.6; }
-        probe_arm_for(&c, 0U, 3000U + i);
-        probe_step(&c, 0U, x, &u);
-        probe_soonest(&c, x, &samples);
-    }
-    return 0;
-}
-"""
-
-
-def cost(command, options):
-    """Instructions of a call, by callgrind, over 1,000 random states."""
-    for n in (2, 3, 4):
-        flags = ["--n", str(n), "--clock", "samples", "--sample-time", "1e-3", "--tau", "0.8", "--eps=0"]
-        made = Emitted(command, *flags, "--poles=least-energy", "--u-max", "60", "--late", "extend")
-        folder = Path(made.folder.name)
-        (folder / "main.c").write_text(MEASURED.replace("N;", f"{n};"))
-        flags = ["-std=c99", "-O2", "-ffp-contract=off", "-o", "run", "main.c", "probe.c", "-lm"]
-        subprocess.run(["cc", *flags], check=True, cwd=folder)
-        tool = ["valgrind", "--tool=callgrind", "--callgrind-out-file=counts", "./run"]
-        subprocess.run(tool, check=True, cwd=folder, stderr=subprocess.DEVNULL)
-        listed = subprocess.run(["callgrind_annotate", "counts"], check=True, cwd=folder, capture_output=True, text=True)
-        for function in ("step", "soonest"):
-            line = next(line for line in listed.stdout.splitlines() if f"probe_{function}" in line)
-            count = int(line.split()[0].replace(",", ""))
-            print(f"n = {n}, {function}: {count / 1000:.0f} instructions")
-    return 0
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("part", choices=["soonest", "late", "told", "fast", "cost", "oracle"])
+    parser.add_argument("part", choices=["soonest", "late", "told", "fast", "oracle"])
     parser.add_argument("command")
     parser.add_argument("--runs", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)

@@ -62,7 +62,7 @@ fn limit(spec: &Spec) -> Option<Value> {
     })
 }
 
-/// What is measured, and what falsifies it.
+/// Measured signals, with their errors.
 fn sensors(spec: &Spec) -> String {
     let promises = &spec.promises;
     let disturbed = [

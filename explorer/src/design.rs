@@ -47,7 +47,7 @@ impl<'a> Design<'a> {
         }
     }
 
-    /// What the design says, entry by entry.
+    /// Reads the entries of the design, one by one.
     pub(crate) fn entries(&self) -> &[Entry] {
         &self.entries
     }

@@ -122,11 +122,7 @@ pub(crate) fn runs(
 fn start(spec: &Spec, text: &str) -> Result<Vec<f64>, String> {
     let names = spec.state_names();
     if text.trim().is_empty() {
-        let bounds = &spec.promises.x0_max;
-        let joined = spec.joins_axes();
-        let first = |j: usize| j == 0 || joined && names[j].starts_with("x1_");
-        let unit = |j| if first(j) { 1.0 } else { 0.0 };
-        return Ok((0..names.len()).map(|j| one_or_each(bounds, j).unwrap_or(unit(j))).collect());
+        return Ok(spec.example_start());
     }
     let number = |item: &str| item.trim().parse::<f64>().ok().filter(|x| x.is_finite());
     let x0: Option<Vec<f64>> = text.split(',').map(number).collect();

@@ -172,7 +172,7 @@ fn runs_along_a_reference_hold_its_error() {
 }
 
 #[test]
-fn a_run_tries_another_plant_than_the_design() {
+fn trial_moves_the_run_of_each_loop() {
     let open = "n = 2\nmu = \"exp(a=1)\"\npoles = [-4, -5]\ntau = 1\n";
     let held = format!("{open}sample_time = 1e-3\n");
     let bent = |design: &str, trial: Value| {

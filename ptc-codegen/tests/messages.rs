@@ -194,7 +194,7 @@ fn statuses() -> Vec<(&'static str, i32)> {
 }
 
 #[test]
-fn the_documents_list_every_status() {
+fn documents_list_every_status() {
     let read = |page: &str| fs::read_to_string(root().join("docs").join(page)).expect("a page");
     let start = read("start.md");
     let rows = start.lines().filter_map(|line| line.strip_prefix("| `PTC_")?.split('`').next());

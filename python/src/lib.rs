@@ -23,7 +23,7 @@ fn command(py: Python<'_>, line: Vec<OsString>) -> u8 {
     py.detach(|| ptc_codegen::command(line))
 }
 
-/// What `ptc_codegen` is made of.
+/// The functions and classes of `ptc_codegen`.
 #[pymodule]
 mod _ptc {
     #[pymodule_export]

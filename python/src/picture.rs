@@ -90,7 +90,7 @@ pub(crate) fn draw(
         let help = "give `labels`, one for each run";
         return Err(wrong(format!("two runs are called `{}`", own.label), help));
     }
-    let drawn: Vec<_> = runs.iter().zip(&all).map(drawn).collect();
+    let drawn: Vec<_> = runs.iter().zip(&all).map(|(given, own)| drawn(given, own)).collect();
     let limits = Values::of(&all[0].spec, &all[0].plant).limits(&all[0].spec);
     let file = py
         .detach(|| guarded(|| kind.file(&Figure::of_runs(&last.spec, &drawn, limits, by_decades))));
@@ -101,7 +101,7 @@ pub(crate) fn draw(
     })
 }
 
-fn drawn<'a>((given, own): (&Given, &'a Own)) -> Drawn<'a> {
+fn drawn<'a>(given: &Given, own: &'a Own) -> Drawn<'a> {
     let mapping = own.spec.mapping_name();
     let Given { tau, t0, held, .. } = *given;
     Drawn { label: own.label.clone(), mapping, tau, t0, held, kept: &own.kept }

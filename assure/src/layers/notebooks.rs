@@ -15,7 +15,7 @@ use crate::tool::{GCC, PYTHON, RUSTC};
 
 const SCRIPT: &str = include_str!("notebooks.py");
 
-/// What the extra `notebook` of the wheel brings, and what runs a notebook without a browser.
+/// Packages of the extra `notebook` of the wheel, and those that run a notebook without a browser.
 const PACKAGES: [&str; 7] =
     ["anywidget", "ipykernel", "matplotlib", "nbclient", "numpy>=1.26", "pandas", "tqdm"];
 

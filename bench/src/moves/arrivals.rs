@@ -17,7 +17,7 @@ const STATES: usize = 60;
 /// Random positions of the stage, each with every disturbance.
 const POSITIONS: usize = 20;
 
-/// What a deadline is, beside one that stays.
+/// Values of `pace`.
 const PACES: [&str; 2] = ["deadline", "soonest"];
 
 /// Parts of the limits that plans on the stage leave.
@@ -59,7 +59,7 @@ pub(super) fn measure() -> Result<Vec<Arrival>> {
     Ok(all)
 }
 
-/// How the page calls a pace.
+/// Returns the words of the page for a pace.
 fn about(pace: &str) -> &'static str {
     if pace == "soonest" { "planned at every sample" } else { "kept" }
 }

@@ -1,4 +1,4 @@
-//! What deadlines in flight cost: instructions of a step and of `soonest`, its time, and code.
+//! Costs of deadlines in flight: instructions of a step and of `soonest`, its time, and bytes of code.
 
 use std::path::Path;
 use std::process::Command;
@@ -22,10 +22,8 @@ pub(super) const STATES: usize = 1000;
 /// Rounds over all states that are timed, of which the quickest counts.
 pub(super) const ROUNDS: usize = 50;
 
-/// What is asked of a deadline.
-const FIXED: &str = "";
-const EXTEND: &str = "late = \"extend\"\n";
-const SOONEST: &str = "late = \"extend\"\npace = \"soonest\"\n";
+/// Keys of a deadline that stays, of one that is put off, and of one that is planned at every sample.
+const DEADLINES: [&str; 3] = ["", "late = \"extend\"\n", "late = \"extend\"\npace = \"soonest\"\n"];
 
 /// Flags that choose the machine on which bytes count.
 const CORTEX_M7: [&str; 4] = ["-mthumb", "-mcpu=cortex-m7", "-mfloat-abi=hard", "-mfpu=fpv5-d16"];
@@ -49,9 +47,9 @@ pub(crate) struct Cost {
 pub(super) fn measure() -> Result<Vec<Cost>> {
     let folder = scratch("flight")?;
     let kinds: Vec<_> = (2..=4).flat_map(|n| [0, 1].map(|weight| (n, weight))).collect();
-    let cases = kinds.iter().flat_map(|(n, weight)| {
-        [FIXED, EXTEND, SOONEST].iter().enumerate().map(move |own| case(*n, *weight, own))
-    });
+    let cases = kinds
+        .iter()
+        .flat_map(|(n, weight)| (0..DEADLINES.len()).map(move |index| case(*n, *weight, index)));
     let cases = cases.collect::<Result<Vec<_>>>()?;
     c::compile(&cases, &folder)?;
     let program = c::link(&driver(&cases), &cases, &[], &folder)?;
@@ -75,7 +73,8 @@ pub(super) fn measure() -> Result<Vec<Cost>> {
     kinds.iter().zip(cases.chunks(3)).zip(&times).map(of_kind).collect()
 }
 
-fn case(n: usize, weight: usize, (index, keys): (usize, &&str)) -> Result<Case> {
+fn case(n: usize, weight: usize, index: usize) -> Result<Case> {
+    let keys = DEADLINES[index];
     let (spec, _) = designed(&format!(
         "name = \"flight_n{n}_w{weight}_{index}\"\nn = {n}\nmu = \"exp(a=1)\"\nclock = \"samples\"\n\
          sample_time = 1e-3\npoles = \"least-energy(weight={weight})\"\n{keys}\
@@ -97,7 +96,7 @@ fn code(case: &Case, folder: &Path) -> Option<u64> {
 
 /// Mean time in s in which Ruckig plans the shortest profile of order 3 from these states.
 pub(super) fn plan() -> Result<f64> {
-    let nominal = Nominal::of(&case(3, 0, (0, &EXTEND))?.spec);
+    let nominal = Nominal::of(&case(3, 0, 1)?.spec);
     let nominal = nominal.map_err(|wrong| Failure::new(wrong.to_string()))?;
     let mut draw = Draw::default();
     let states: Vec<_> = (0..STATES).map(|_| [0; 3].map(|_| draw.even(-0.3, 0.3))).collect();

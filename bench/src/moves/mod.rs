@@ -56,14 +56,14 @@ pub(crate) struct Move {
     pub(crate) instructions: Option<f64>,
 }
 
-/// What `moves` measures.
+/// Figures of `moves`.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Measured {
     /// Motions of a fixed length.
     pub(crate) moves: Vec<Move>,
     /// Motions with deadlines in flight.
     pub(crate) arrivals: Vec<Arrival>,
-    /// What these deadlines cost.
+    /// Costs of these deadlines.
     pub(crate) costs: Vec<Cost>,
     /// Mean time in s in which Ruckig plans a profile of order 3.
     pub(crate) plan: f64,

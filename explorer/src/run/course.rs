@@ -70,8 +70,7 @@ impl Course {
             knows.map_err(|found| found.into_iter().map(|one| one.message).collect::<String>())?;
         }
         let tracking = Tracking::new(spec, around.values).map_err(|failure| told(&failure))?;
-        let size = (spec.states(), spec.input_names().len());
-        let mut course = Self::new(tracking, size);
+        let mut course = Self::new(spec, tracking);
         // The deadline that was asked for, which one in flight may leave at once.
         let [start, tau] = [Parameter::StartTime, Parameter::Tau].map(|p| around.values.get(p));
         course.deadlines.push(start + tau);
@@ -83,8 +82,9 @@ impl Course {
         Ok(course)
     }
 
-    /// Creates an empty course for the numbers of states and inputs.
-    fn new(tracking: Option<Tracking>, (states, inputs): (usize, usize)) -> Self {
+    /// Creates an empty course of a design.
+    fn new(spec: &Spec, tracking: Option<Tracking>) -> Self {
+        let (states, inputs) = (spec.states(), spec.input_names().len());
         Self {
             held: false,
             every: 1,

@@ -1,4 +1,4 @@
-//! What a run changes of the plant of a design: its gain, a constant force, friction, values of uncertain symbols.
+//! Changes of the plant of a design for one run: its gain, a constant force, friction, values of uncertain symbols.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::values::uncertain;
 
-/// What is tried, as the page asks for it.
+/// Changes of the plant, as the page asks for them.
 pub(super) struct Trial {
     /// Input gain in parts of that of the plant.
     pub(super) gain: f64,

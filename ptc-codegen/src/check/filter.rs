@@ -73,7 +73,7 @@ fn gaps(spec: &Spec, keep: &Keep, rates: &[BigRational]) -> Vec<Gap> {
             let known = if of < spec.n { keep.bound(of, edge).cloned() } else { limit(spec, edge) };
             let Some(known) = known else { continue };
             let room = if edge == Edge::Above { -known } else { known };
-            let need = need(spec, keep, rates, (of, edge));
+            let need = need(spec, keep, rates, of, edge);
             let met = matches!(&need, Need::Of(need) if *need <= room);
             if !met {
                 gaps.push(Gap { of, edge, need });
@@ -88,7 +88,7 @@ fn gaps(spec: &Spec, keep: &Keep, rates: &[BigRational]) -> Vec<Gap> {
 /// With x_i kept, q = (Delta + a_i) ... (Delta + a_{j-1}) z_i exceeds z_j by members of its cone and by
 /// sum_k e_k(a_i, ..., a_{j-2}) z_{j-k}, k < j - i. A safe state may be beyond its bounds by their tolerance, where u is
 /// held to the bound of x_i itself: that takes a_i ... a_{j-1} times its tolerance more of another state.
-fn need(spec: &Spec, keep: &Keep, rates: &[BigRational], (of, edge): (usize, Edge)) -> Need {
+fn need(spec: &Spec, keep: &Keep, rates: &[BigRational], of: usize, edge: Edge) -> Need {
     let beyond = |state: usize| keep.tolerance(state, spec.precision);
     let is_state = of < spec.n;
     let mut most = integer(0);

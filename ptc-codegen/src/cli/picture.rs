@@ -6,26 +6,26 @@ use crate::plot::{Format, Picture};
 
 use super::report::Failure;
 
-/// Format of a picture that a path asks for.
-#[derive(Clone, Copy)]
-pub(crate) struct Kind(Format);
+/// The format of the picture at `path`.
+///
+/// # Errors
+/// A file of another type.
+pub(crate) fn format_of(path: &Path) -> Result<Format, Failure> {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    extension.and_then(Format::of_extension).ok_or_else(|| {
+        Failure::because(
+            format!("`{}`: unsupported image type", path.display()),
+            "give a file that ends in .svg, .png or .pdf, for example --plot run.svg",
+        )
+    })
+}
 
-impl Kind {
-    /// The kind of the file at `path`.
-    pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
-        let extension = path.extension().and_then(|extension| extension.to_str());
-        extension.and_then(Format::of_extension).map(Self).ok_or_else(|| {
-            Failure::because(
-                format!("`{}`: unsupported image type", path.display()),
-                "give a file that ends in .svg, .png or .pdf, for example --plot run.svg",
-            )
-        })
-    }
-
-    /// The file of a picture.
-    pub(crate) fn file(self, figure: &impl Picture) -> Result<Vec<u8>, Failure> {
-        self.0.file(figure).map_err(|wrong| undrawn(&wrong))
-    }
+/// The file of a picture.
+///
+/// # Errors
+/// A drawing that cannot be made.
+pub(crate) fn file_of(format: Format, figure: &impl Picture) -> Result<Vec<u8>, Failure> {
+    format.file(figure).map_err(|wrong| undrawn(&wrong))
 }
 
 /// A picture that cannot be drawn.

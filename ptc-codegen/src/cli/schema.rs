@@ -52,10 +52,9 @@ pub(crate) fn schema() -> String {
 
 /// A table of a design, or a list of them.
 fn held(info: &TableInfo) -> Value {
-    let has_names = ["params", "plant"].contains(&info.name) || info.names().next().is_some();
     let mut own = match info.name {
         "verify" => verified(true),
-        _ => table(info.keys(), has_names),
+        _ => table(info.keys(), info.open),
     };
     if info.each.is_some() {
         return json!({ "description": info.meaning, "type": "array", "items": own });

@@ -21,19 +21,16 @@ pub struct Constant {
 }
 
 impl Expr {
-    /// A number with a name.
-    pub fn constant(name: &str, about: &str, value: BigRational) -> Self {
-        let (name, about) = (name.to_owned(), about.to_owned());
-        Self::Constant(Box::new(Constant { name, about, shape: Shape::Real, value }))
-    }
-
-    /// The same of a count that is known.
+    /// Returns it with a name, where it is a number or a count that is known.
     #[must_use]
     pub fn named(self, name: &str, about: &str) -> Self {
-        let Self::Count(count) = self else { return self };
+        let (shape, value) = match self {
+            Self::Number(value) => (Shape::Real, value),
+            Self::Count(count) => (Shape::Count, BigRational::from_integer(count.into())),
+            other => return other,
+        };
         let (name, about) = (name.to_owned(), about.to_owned());
-        let value = BigRational::from_integer(count.into());
-        Self::Constant(Box::new(Constant { name, about, shape: Shape::Count, value }))
+        Self::Constant(Box::new(Constant { name, about, shape, value }))
     }
 }
 

@@ -85,6 +85,13 @@ pub enum Ending {
     OfGains,
 }
 
+impl Function {
+    /// Returns true if it is given the duration, of which it tests the domain.
+    pub fn takes_duration(&self) -> bool {
+        self.arguments.iter().any(|argument| argument.name == "tau")
+    }
+}
+
 impl Finish {
     /// One of two ends.
     pub fn choose(test: Test, yes: Self, no: Self) -> Self {

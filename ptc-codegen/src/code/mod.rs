@@ -153,6 +153,11 @@ impl Code {
         format!("Takes the parameters and arms at params.t0 (or the fixed t0){duration}{latching}.")
     }
 
+    /// Returns true if a start may be given another duration.
+    pub fn changes_duration(&self) -> bool {
+        self.start.as_ref().is_some_and(|start| start.duration.is_some())
+    }
+
     /// Returns its noun in descriptions.
     pub fn noun(&self) -> &'static str {
         if self.function("update").is_some() {

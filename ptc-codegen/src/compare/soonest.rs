@@ -72,9 +72,10 @@ mod tests {
         // At (0, v): stop in v/a, and come back.
         near(second([0.0, 1.0], -1.0, 1.0), 1.0 + 2f64.sqrt());
     }
+
     /// The profile of a follower has this length.
     #[test]
-    fn the_shortest_profile_takes_as_long() {
+    fn profile_is_as_long_as_bang_bang() {
         for (i, j) in (-4..=4).flat_map(|i| (-4..=4).map(move |j| (i, j))) {
             let x = [0.25 * f64::from(i), 0.5 * f64::from(j)];
             let (known, planned) = (second(x, -2.0, 2.0), profile::duration(&x, 2.0));

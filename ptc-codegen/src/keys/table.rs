@@ -8,9 +8,11 @@ use super::{EVENT_KEYS, KEYS, KeyInfo, PLANT_KEYS};
 pub struct TableInfo {
     /// Its name.
     pub name: &'static str,
-    /// What it holds.
+    /// Its contents in words.
     pub meaning: &'static str,
-    /// What each one holds at least, of a table that a design may have several times.
+    /// True if names of the design stand in it beside its keys.
+    pub open: bool,
+    /// The least contents of each, of a table that a design may have several times.
     pub each: Option<&'static str>,
     /// Keys that stand for names of the design, such as those of its states.
     names: &'static [&'static KeyInfo],
@@ -20,17 +22,23 @@ pub struct TableInfo {
 
 /// All tables, in the order of the documentation. All other keys are above the first one.
 pub static TABLES: [TableInfo; 8] = [
-    TableInfo::once("params", "values of parameters, by their names"),
+    TableInfo { open: true, ..TableInfo::once("params", "values of parameters, by their names") },
     TableInfo::once("envelope", "what the inputs of the controller are within"),
     TableInfo::once("model", "a model of the plant, from which n, f and g follow"),
     TableInfo {
         own: &PLANT_KEYS,
+        open: true,
         ..TableInfo::once("plant", "the plant; every other name is a symbol of f and g")
     },
-    TableInfo { names: &[&DISTURBANCE], ..TableInfo::once("disturbance", DISTURBANCE.meaning) },
+    TableInfo {
+        names: &[&DISTURBANCE],
+        open: true,
+        ..TableInfo::once("disturbance", DISTURBANCE.meaning)
+    },
     TableInfo {
         names: &[&INITIAL_STATE, &PARAMETER],
         own: &verify::KEYS,
+        open: true,
         ..TableInfo::once("verify", "what is drawn, and how much")
     },
     TableInfo {
@@ -50,14 +58,14 @@ pub fn single() -> impl Iterator<Item = &'static str> + Clone {
     TABLES.iter().filter(|own| own.each.is_none()).map(|own| own.name)
 }
 
-/// What each one holds at least, of the tables called `name` that a design may have several times.
+/// Returns the least contents of each of the tables called `name`, of which a design may have several.
 pub fn each(name: &str) -> Option<&'static str> {
     TABLES.iter().find(|own| own.name == name)?.each
 }
 
 impl TableInfo {
     const fn once(name: &'static str, meaning: &'static str) -> Self {
-        Self { name, meaning, each: None, names: &[], own: &[] }
+        Self { name, meaning, open: false, each: None, names: &[], own: &[] }
     }
 
     /// Returns its keys: those of a controller that it holds, then those that only it has.

@@ -30,6 +30,16 @@ impl Precision {
         }
     }
 
+    /// Returns the number nearest to a double.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation)]
+    pub fn rounded(self, value: f64) -> f64 {
+        match self {
+            Self::F32 => f64::from(value as f32),
+            Self::F64 => value,
+        }
+    }
+
     /// Bytes of a number.
     pub fn bytes(self) -> usize {
         match self {
@@ -355,26 +365,14 @@ impl Fixed {
 
     /// The number nearest to a finite one in `precision`, up to a second rounding in f32.
     pub(crate) fn rounded(&self, precision: Precision) -> Option<f64> {
-        let nearest = self.number()?.to_f64()?;
-        #[allow(clippy::cast_possible_truncation)]
-        match precision {
-            Precision::F64 => Some(nearest),
-            Precision::F32 => Some(f64::from(nearest as f32)),
-        }
+        Some(precision.rounded(self.number()?.to_f64()?))
     }
 
     /// Returns true if the value is a nonzero number that `precision` rounds to zero or infinity.
     pub fn leaves(&self, precision: Precision) -> bool {
         let Some(value) = self.number() else { return false };
-        let rounded = value.to_f64().unwrap_or(f64::INFINITY);
-        match precision {
-            Precision::F64 => !rounded.is_finite() || (rounded == 0.0 && !value.is_zero()),
-            #[allow(clippy::cast_possible_truncation)]
-            Precision::F32 => {
-                let rounded = rounded as f32;
-                !rounded.is_finite() || (rounded == 0.0 && !value.is_zero())
-            }
-        }
+        let rounded = precision.rounded(value.to_f64().unwrap_or(f64::INFINITY));
+        !rounded.is_finite() || (rounded == 0.0 && !value.is_zero())
     }
 }
 

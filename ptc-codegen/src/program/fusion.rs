@@ -1,4 +1,4 @@
-//! Which product a sum or a difference takes in, so that both are rounded once: one rule for programs and expressions.
+//! The product that a sum or a difference takes in, so that both are rounded once: one rule for programs and expressions.
 
 /// The operand that is fused with the rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -46,12 +46,8 @@ fn round_to_single(value: &BigRational, nearest: f64) -> f64 {
 /// The result of one operation on doubles, rounded to `precision`. For + - * / and sqrt a second
 /// rounding from double to float is innocuous (53 >= 2 * 24 + 2), so it equals the float operation.
 #[inline]
-#[allow(clippy::cast_possible_truncation)]
 pub fn settle(result: f64, precision: Precision) -> f64 {
-    match precision {
-        Precision::F64 => result,
-        Precision::F32 => f64::from(result as f32),
-    }
+    precision.rounded(result)
 }
 
 /// The exact value of a finite double.

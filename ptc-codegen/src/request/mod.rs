@@ -19,7 +19,7 @@ mod read;
 mod reference;
 mod sampled;
 mod spec;
-#[cfg(feature = "lab")]
+#[cfg(feature = "simulate")]
 mod start;
 mod units;
 

@@ -66,9 +66,9 @@ fn lasting(all: &[Named], give: impl Fn(String, Expr) -> Statement) -> Vec<State
 
 /// The way in which gains are divided by the samples to go.
 enum Over {
-    /// By one reciprocal of their product.
+    /// One reciprocal, that of their product.
     Product(FallingPowers),
-    /// By one of each, where the product may be too large.
+    /// A reciprocal of each, where the product may be too large.
     Each,
 }
 

@@ -41,7 +41,7 @@ impl Builder<'_> {
         let (before, reached) = self.reached("p");
         body.extend(before);
         body.push(Statement::Note("The law of least energy.".to_owned()));
-        let between = schedule.pieces.len() > 1;
+        let between = Located::lies_between(&schedule.pieces);
         if between {
             let above = Expr::local(GAINS.row).count_add(Expr::Count(1));
             body.push(Statement::Let(ABOVE.to_owned(), Shape::Count, above));

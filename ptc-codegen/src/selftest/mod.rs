@@ -68,7 +68,7 @@ pub struct Session {
     pub parameters: Vec<f64>,
     /// The state at the start; empty where none is latched.
     pub x0: Vec<f64>,
-    /// How the controller is armed again before the calls.
+    /// The start before the calls, where the controller is armed again.
     pub again: Option<Again>,
     /// The calls, at least one.
     pub calls: Vec<Call>,

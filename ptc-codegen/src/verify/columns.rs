@@ -15,11 +15,7 @@ struct SignalColumns<'a> {
     legal: &'a [Signal],
 }
 
-impl<'a> SignalColumns<'a> {
-    fn new((symbol, bounds, legal): &'a (Parameter, Interval, Vec<Signal>)) -> Self {
-        Self { symbol: *symbol, bounds: *bounds, legal }
-    }
-
+impl SignalColumns<'_> {
     /// Returns true if any of the signals may be drawn.
     fn draws(&self, signals: &[Signal]) -> bool {
         signals.iter().any(|signal| self.legal.contains(signal))
@@ -79,7 +75,7 @@ impl Campaign {
         all.extend(self.intervals.iter().map(|(symbol, _)| named(&symbol.spelling())));
         all.extend(self.gains().map(|_| named(GAIN)));
         all.extend(self.events.uncertain().map(|own| named(&own.name)));
-        all.extend(self.disturbances.iter().flat_map(|own| SignalColumns::new(own).quantities()));
+        all.extend(self.signal_columns().flat_map(|own| own.quantities()));
         all.extend(self.is_drawn().then(|| named(SEED)));
         let objectives = 1..=self.objectives.len();
         all.extend(objectives.clone().map(|i| named(&format!("excess{i}"))));
@@ -91,6 +87,15 @@ impl Campaign {
         all
     }
 
+    /// The columns of each disturbance.
+    fn signal_columns(&self) -> impl Iterator<Item = SignalColumns<'_>> {
+        self.disturbances.iter().map(|(symbol, bounds, legal)| SignalColumns {
+            symbol: *symbol,
+            bounds: *bounds,
+            legal,
+        })
+    }
+
     /// Returns the names of these.
     pub fn columns(&self) -> Vec<String> {
         self.quantities().into_iter().map(|own| own.name).collect()
@@ -98,8 +103,7 @@ impl Campaign {
 
     /// Returns the place of the kind of signal of a disturbance in a row.
     pub(super) fn place_of_signal(&self, disturbance: usize) -> usize {
-        let before = self.disturbances.iter().take(disturbance);
-        let before = before.map(|own| SignalColumns::new(own).quantities().len());
+        let before = self.signal_columns().take(disturbance).map(|own| own.quantities().len());
         self.sides().count() + before.sum::<usize>()
     }
 
@@ -108,11 +112,9 @@ impl Campaign {
         let status = outcome.status().code();
         let mut numbers = Vec::with_capacity(scenario.point.len() + 2 * outcome.excess.len() + 2);
         numbers.extend(&scenario.point);
-        let signals = self.disturbances.iter().zip(&scenario.courses);
+        let signals = self.signal_columns().zip(&scenario.courses);
         let until = self.span();
-        numbers.extend(
-            signals.flat_map(|(own, course)| SignalColumns::new(own).numbers(course, until)),
-        );
+        numbers.extend(signals.flat_map(|(own, course)| own.numbers(course, until)));
         // Seeds are below 2^53.
         #[allow(clippy::cast_precision_loss)]
         numbers.extend(self.is_drawn().then_some(scenario.seed as f64));

@@ -2,7 +2,7 @@
 
 use super::Sorter;
 
-/// What a byte of a module is, in the order in which `page/restore.js` reads them.
+/// Kinds of the bytes of a module, in the order in which `page/restore.js` reads them.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Stream {
     /// Part of no function.

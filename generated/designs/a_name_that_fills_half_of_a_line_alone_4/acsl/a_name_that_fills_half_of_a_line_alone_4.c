@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_1 15.0f /* weight in the observer's gain l1 */
 #define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_2 (-12.0f) /* weight in the observer's gain l1 */
 #define A_NAME_THAT_FILLS_HALF_OF_A_LINE_ALONE_4_Q1_3 4.5f /* 9/2, weight in the observer's gain l1 */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define ELASTIC_PHI1_2 0.0005 /* 1/2000, prediction of x1 from x2 */
 #define ELASTIC_PHI1_3 3.571428571428571e-8 /* 1/28000000, prediction of x1 from d */
 #define ELASTIC_GAMMA1 3.571428571428571e-8 /* 1/28000000, prediction from u */

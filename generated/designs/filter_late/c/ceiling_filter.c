@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define CEILING_FILTER_S1_1 (-0.5f) /* -1/2, weight of x1 in the law */
 #define CEILING_FILTER_S1_2 (-0.0025f) /* -1/400, weight of x2 in the law */
 #define CEILING_FILTER_S1_3 2.0833334e-6f /* 1/480000, weight of x3 in the law */

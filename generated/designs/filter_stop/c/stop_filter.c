@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STOP_FILTER_S1_2 (-0.0005) /* -1/2000, weight of x2 in the law */
 #define STOP_FILTER_U_MAX 10.0 /* bound of |u| */
 

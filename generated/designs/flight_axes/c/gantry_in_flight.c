@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define GANTRY_IN_FLIGHT_S1_1_1 120000000.0 /* weight of x1 in the law */
 #define GANTRY_IN_FLIGHT_S1_2_1 (-60000.0) /* weight of x2 in the law */
 #define GANTRY_IN_FLIGHT_S2_2_1 120000.0 /* weight of x2 in the law */

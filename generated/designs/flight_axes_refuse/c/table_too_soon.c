@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define TABLE_TOO_SOON_W1_1_1 (-60000000.0) /* weight of x1 in the law */
 #define TABLE_TOO_SOON_W1_2_1 600000.0 /* weight of x2 in the law */
 #define TABLE_TOO_SOON_W1_3_1 (-2000.0) /* weight of x3 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define IN_FLIGHT_GAMMA1 1.4970872355502905e-5 /* prediction from u */
 #define IN_FLIGHT_LATE_GAMMA1 4.995835936198459e-6 /* prediction from u */
 #define IN_FLIGHT_GAMMA2 0.019925145638222487 /* prediction from u */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define LATE_STAGE_PHI1_2 0.001 /* 1/1000, prediction of x1 from x2 */
 #define LATE_STAGE_PHI1_3 3.3333333333333335e-7 /* 1/3000000, prediction of x1 from d */
 #define LATE_STAGE_GAMMA1 3.3333333333333335e-7 /* 1/3000000, prediction from u */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define MASSES_REFUSE_GAMMA1 0.0019801282f /* prediction from u */
 #define MASSES_REFUSE_GAMMA2 0.39339164f /* prediction from u */
 #define MASSES_REFUSE_PHI1_1 0.98019874f /* prediction of x1 from x1 */

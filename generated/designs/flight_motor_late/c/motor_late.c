@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define MOTOR_LATE_U_MAX 10.0 /* bound of |u| */
 
 /* U at 2 samples on the way to rest by the state, for each a row for the samples to go of a node */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define PACED_S1_1 10000.0 /* weight of x1 in the law */
 #define PACED_S1_2 (-50.0) /* weight of x2 in the law */
 #define PACED_S2_2 100.0 /* weight of x2 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define TOO_SOON_W1_1 (-120000000.0f) /* weight of x1 in the law */
 #define TOO_SOON_W1_2 1200000.0f /* weight of x2 in the law */
 #define TOO_SOON_W1_3 (-4000.0f) /* weight of x3 in the law */

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE10_DEADBEAT 20.0f /* samples to go at which deadbeat takes over */
 
 ptc_status stage10_init(stage10 *self, const stage10_params *params)

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE11_PHI1_2 0.01f /* 1/100, prediction of x1 from x2 */
 #define STAGE11_PHI1_3 5e-5f /* 1/20000, prediction of x1 from x3 */
 #define STAGE11_PHI1_4 1.6666667e-7f /* 1/6000000, prediction of x1 from x4 */

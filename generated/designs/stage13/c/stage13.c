@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE13_C_1 54.263023f /* weight of x1 in the law */
 #define STAGE13_C_2 4.2855716f /* weight of x2 in the law */
 #define STAGE13_B_1 11626.225f /* weight of x1 in the law */

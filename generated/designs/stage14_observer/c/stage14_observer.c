@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE14_OBSERVER_OBSERVER_SAMPLES 12U /* samples of the round of the observer */
 #define STAGE14_OBSERVER_Q1_1 104.0 /* weight in the observer's gain l1 */
 #define STAGE14_OBSERVER_Q1_2 (-53.0) /* weight in the observer's gain l1 */

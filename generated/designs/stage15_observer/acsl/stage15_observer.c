@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE15_OBSERVER_OBSERVER_SAMPLES 9U /* samples of the round of the observer */
 #define STAGE15_OBSERVER_Q1_1 35.555557f /* 320/9, weight in the observer's gain l1 */
 #define STAGE15_OBSERVER_Q1_2 (-23.88889f) /* -215/9, weight in the observer's gain l1 */

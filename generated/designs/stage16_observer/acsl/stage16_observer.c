@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE16_OBSERVER_GAMMA1 0.00010816330676811052 /* prediction from u */
 #define STAGE16_OBSERVER_GAMMA2 0.30941358230147875 /* prediction from u */
 #define STAGE16_OBSERVER_GAMMA3 0.37459048481653323 /* prediction from u */

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE17_OBSERVER_OBSERVER_SAMPLES 8U /* samples of the round of the observer */
 #define STAGE17_OBSERVER_Q1_1 (-20.0) /* weight in the observer's gain l1 */
 #define STAGE17_OBSERVER_Q1_2 8.0 /* weight in the observer's gain l1 */

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE2_W1_1 (-120000000000.0) /* weight of x1 in the law */
 #define STAGE2_W1_2 120000000.0 /* weight of x2 in the law */
 #define STAGE2_W1_3 (-40000.0) /* weight of x3 in the law */

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE21_B_4 (-0.5234375) /* -67/128, weight of u1 in the law */
 
 ptc_status stage21_init(stage21 *self, const stage21_params *params)

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE22_W1_1 (-120000.0) /* weight of x1 in the law */
 #define STAGE22_W1_2 600.0 /* weight of x2 in the law */
 #define STAGE22_W2_2 (-600.0) /* weight of x2 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE23_GAMMA1 0.00014736313620654503 /* prediction from u */
 #define STAGE23_GAMMA2 0.04245805872561294 /* prediction from u */
 #define STAGE23_GAMMA3 0.7866781644184895 /* prediction from u */

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE24_H 0.01f /* 1/100, sample period */
 #define STAGE24_W1_1 (-137042.42f) /* weight of x1 in the law */
 #define STAGE24_W1_2 69031.28f /* weight of x2 in the law */

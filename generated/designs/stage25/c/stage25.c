@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE25_SAMPLES 30U /* samples from the start to rest */
 #define STAGE25_HOLD 4.0 /* samples to go at which the gains are held */
 #define STAGE25_W1_1_1 (-400.0) /* weight of x1 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE27_END_SAMPLES_2 6.0 /* samples to go at which the law of the end takes over */
 #define STAGE27_END_SAMPLES_3 7.0 /* samples to go at which the law of the end takes over */
 #define STAGE27_END_SAMPLES_4 9.0 /* samples to go at which the law of the end takes over */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE28_DEADBEAT_1 9.0 /* samples to go at which deadbeat takes over */
 #define STAGE28_DEADBEAT_2 9.0 /* samples to go at which deadbeat takes over */
 

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE29_W1_1_1 (-400000.0) /* weight of x1 in the law */
 #define STAGE29_W1_2_1 2000.0 /* weight of x2 in the law */
 #define STAGE29_W2_2_1 (-1600.0) /* weight of x2 in the law */

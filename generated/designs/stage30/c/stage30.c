@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE30_DEADBEAT_1 2.5f /* 5/2, samples to go at which deadbeat takes over */
 #define STAGE30_DEADBEAT_2 2.5f /* 5/2, samples to go at which deadbeat takes over */
 

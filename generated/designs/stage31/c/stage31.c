@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE31_END_SAMPLES_2 6.0 /* samples to go at which the law of the end takes over */
 
 ptc_status stage31_init(stage31 *self, const stage31_params *params)

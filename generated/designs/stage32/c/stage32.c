@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE32_H 0.01 /* 1/100, sample period */
 #define STAGE32_SAMPLES 30U /* samples from the start to rest */
 #define STAGE32_HOLD 4.0 /* samples to go at which the gains are held */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE33_H 0.01f /* 1/100, sample period */
 #define STAGE33_W1_1_1 (-400000.0f) /* weight of x1 in the law */
 #define STAGE33_W1_2_1 2000.0f /* weight of x2 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE35_W1_1_1 (-120000.0) /* weight of x1 in the law */
 #define STAGE35_W1_2_1 600.0 /* weight of x2 in the law */
 #define STAGE35_W2_2_1 (-600.0) /* weight of x2 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE36_B_1_1 (-2500.0f) /* weight of x1 in the law */
 #define STAGE36_B_2_1 (-75.0f) /* weight of x2 in the law */
 #define STAGE36_B_1_2 (-2500.0f) /* weight of x1 in the law */

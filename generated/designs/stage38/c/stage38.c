@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE38_PHI1_2 0.01f /* 1/100, prediction of x1 from x2 */
 #define STAGE38_PHI1_3 5e-5f /* 1/20000, prediction of x1 from d */
 #define STAGE38_GAMMA1 5e-5f /* 1/20000, prediction from u */

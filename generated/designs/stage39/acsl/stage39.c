@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE39_U_MIN 0.3333333333333333 /* 1/3, lower limit of u */
 
 ptc_status stage39_init(stage39 *self, const stage39_params *params)

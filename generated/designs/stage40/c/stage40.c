@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE40_PHI1_2 0.001 /* 1/1000, prediction of x1 from x2 */
 #define STAGE40_PHI1_3 5e-7 /* 1/2000000, prediction of x1 from d */
 #define STAGE40_GAMMA1 5e-7 /* 1/2000000, prediction from u */

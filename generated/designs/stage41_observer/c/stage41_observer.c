@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE41_OBSERVER_GAMMA1 0.00010803832f /* prediction from u */
 #define STAGE41_OBSERVER_GAMMA2 0.030892799f /* prediction from u */
 #define STAGE41_OBSERVER_GAMMA3 0.37459216f /* prediction from u */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE42_Q1_1 (-5.0) /* weight in the observer's gain l1 */
 #define STAGE42_Q1_2 3.5 /* 7/2, weight in the observer's gain l1 */
 

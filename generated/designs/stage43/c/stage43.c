@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE43_PHI1_2 0.01 /* 1/100, prediction of x1 from x2 */
 #define STAGE43_PHI1_3 5e-5 /* 1/20000, prediction of x1 from x3 */
 #define STAGE43_GAMMA1 1.640625e-7 /* 21/128000000, prediction from u */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE44_GAMMA1 9.353143640028875e-5 /* prediction from u */
 #define STAGE44_LATE_GAMMA1 1.4506885866158227e-5 /* prediction from u */
 #define STAGE44_GAMMA2 0.02240015856569381 /* prediction from u */

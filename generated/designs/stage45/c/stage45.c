@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE45_B_3 (-2.0f) /* weight of u1 in the law */
 #define STAGE45_B_4 (-3.0f) /* weight of u2 in the law */
 #define STAGE45_B_5 (-4.0f) /* weight of u3 in the law */

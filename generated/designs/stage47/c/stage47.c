@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE47_GAMMA1 0.00010803832226644697 /* prediction from u */
 #define STAGE47_GAMMA2 0.030892799233141147 /* prediction from u */
 #define STAGE47_GAMMA3 0.3745921515889058 /* prediction from u */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE48_GAMMA1 9.364814153170347e-5 /* prediction from u */
 #define STAGE48_LATE_GAMMA1 1.4515165236407059e-5 /* prediction from u */
 #define STAGE48_GAMMA2 0.22442191668610964 /* prediction from u */

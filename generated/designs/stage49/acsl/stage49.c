@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE49_SAMPLES 170U /* samples from the start to rest */
 
 /* Gains of least energy of each state, a row for the samples to go of a node */

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE5_DEADBEAT 5.5 /* 11/2, samples to go at which deadbeat takes over */
 #define STAGE5_C_5 2.0 /* weight of u1 in the law */
 #define STAGE5_B_5 (-4.0) /* weight of u1 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE6_PHI1_2 0.002 /* 1/500, prediction of x2 from x3 */
 #define STAGE6_GAMMA1 4e-6 /* 1/250000, prediction from u */
 #define STAGE6_GAMMA2 0.004 /* 1/250, prediction from u */

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE7_Q1_1 (-20.0f) /* weight in the observer's gain l1 */
 #define STAGE7_Q1_2 8.0f /* weight in the observer's gain l1 */
 

@@ -32,7 +32,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE8_SAMPLES 30U /* samples from the start to rest */
 #define STAGE8_HOLD 5.0 /* samples to go at which the gains are held */
 #define STAGE8_W1_1 (-20000000.0) /* weight of x1 in the law */

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* What is known of the design, each number rounded once. */
+/* Numbers of the design, each rounded once. */
 #define STAGE9_Q1_1 120.0 /* weight in the observer's gain l1 */
 #define STAGE9_Q1_2 (-60.0) /* weight in the observer's gain l1 */
 #define STAGE9_Q1_3 12.0 /* weight in the observer's gain l1 */

@@ -8,13 +8,14 @@ use crate::plot::{Contour, Contours, Quantity};
 use crate::request::Spec;
 
 use crate::cli::output::{self, Outputs, Place};
-use crate::cli::picture::Kind;
+use crate::cli::picture::{file_of, format_of};
 use crate::cli::progress::checking;
 use crate::cli::report::Failure;
+use crate::plot::Format;
 
 /// The file that `--plot` names.
 pub(super) struct Plot {
-    kind: Kind,
+    format: Format,
     place: Place,
 }
 
@@ -22,10 +23,10 @@ impl Plot {
     /// Plans the file at `path` for the design at another one, if there is one.
     pub(super) fn of(design: Option<&Path>, path: Option<&Path>) -> Result<Option<Self>, Failure> {
         let Some(path) = path else { return Ok(None) };
-        let kind = Kind::of(path)?;
+        let format = format_of(path)?;
         let mut outputs = Outputs::default();
         design.into_iter().for_each(|path| outputs.reads("the design", path));
-        Ok(Some(Self { kind, place: outputs.file("--plot", path)? }))
+        Ok(Some(Self { format, place: outputs.file("--plot", path)? }))
     }
 
     /// Draws the feasible set of a design and writes it; returns what was written, in a line.
@@ -33,7 +34,7 @@ impl Plot {
         let set = checking(|| FeasibleSet::of(spec)).map_err(|unlimited| {
             Failure::because(format!("--plot draws no picture: {}", unlimited.why), unlimited.help)
         })?;
-        let picture = self.kind.file(&contours(spec, &set))?;
+        let picture = file_of(self.format, &contours(spec, &set))?;
         output::write(&[(self.place, &picture)])
     }
 }

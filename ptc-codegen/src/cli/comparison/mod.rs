@@ -15,7 +15,7 @@ pub(crate) use args::{Compare, EXAMPLES};
 
 use super::flags::ListFormat;
 use super::output::{self, Outputs};
-use super::picture::Kind;
+use super::picture::{file_of, format_of};
 use super::progress::{checking, progress};
 use super::report::{Failure, note};
 use super::source::Source;
@@ -25,7 +25,7 @@ const DRAWS: u64 = 256;
 
 /// Runs `compare`.
 pub(crate) fn compare(request: &Compare) -> Result<(), Failure> {
-    let kind = request.plot.as_deref().map(Kind::of).transpose()?;
+    let format = request.plot.as_deref().map(format_of).transpose()?;
     let bandwidth = request.bandwidth.as_deref().map(bandwidth).transpose()?;
     let mut outputs = Outputs::default();
     request.design.design.iter().for_each(|path| outputs.reads("the design", path));
@@ -35,8 +35,8 @@ pub(crate) fn compare(request: &Compare) -> Result<(), Failure> {
     let campaign = campaign(request, source)?;
     let scenes = scenes(request, &campaign)?;
     let comparison = compared(&campaign, &scenes, bandwidth)?;
-    if let (Some(place), Some(kind)) = (plot, kind) {
-        let file = kind.file(&picture::figure(&campaign, &comparison)?)?;
+    if let (Some(place), Some(format)) = (plot, format) {
+        let file = file_of(format, &picture::figure(&campaign, &comparison)?)?;
         output::write(&[(place, &file)])?;
     }
     outputs.tell(&match request.format {

@@ -19,7 +19,7 @@ use run::{Run, continuous, sampled};
 
 use super::output::{self, Content, Outputs};
 use super::page as html;
-use super::picture::Kind;
+use super::picture::{file_of, format_of};
 use super::progress::checking;
 use super::report::{Failure, note};
 use super::source::Source;
@@ -28,7 +28,7 @@ use crate::simulate::event;
 
 /// Runs `simulate`.
 pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
-    let kind = request.plot.as_deref().map(Kind::of).transpose()?;
+    let format = request.plot.as_deref().map(format_of).transpose()?;
     html::named(request.report.as_deref())?;
     let mut outputs = Outputs::default();
     if let Some(design) = &request.design.design {
@@ -132,9 +132,9 @@ pub(crate) fn simulate(request: &Simulate) -> Result<(), Failure> {
         drawn = Some(Drawn { requested, resolved, spec, plant });
     }
     let mut files = vec![csv.finish()?];
-    let picture = match (kind, &drawn) {
-        (Some(kind), Some(drawn)) => {
-            kind.file(&picture::figure(&drawn.spec, &runs, request.log))?
+    let picture = match (format, &drawn) {
+        (Some(format), Some(drawn)) => {
+            file_of(format, &picture::figure(&drawn.spec, &runs, request.log))?
         }
         _ => Vec::new(),
     };

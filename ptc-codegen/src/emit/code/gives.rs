@@ -58,7 +58,7 @@ impl Gives {
 pub(in crate::emit) fn required(function: &Function) -> String {
     let list: Vec<_> = function.arguments.iter().map(|own| own.name.as_str()).collect();
     let finite = format!("{}, and what follows, must be finite", list.join(" and "));
-    match list.contains(&"tau") {
+    match function.takes_duration() {
         true => format!("{finite}, and tau within its domain"),
         false => finite,
     }

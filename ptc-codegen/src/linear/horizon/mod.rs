@@ -5,7 +5,7 @@
 //! known, and so are the coefficients, as sums of the coordinates; gains that are held are bounded by the few rows of
 //! [`span`]. What all bounds admit is kept at every sample, up to the rounding that `slack` allows for.
 //!
-//! Of a loop with a table of gains a table of rows bounds the signals ([`tabled`]).
+//! A table of rows bounds the signals of a loop with a table of gains ([`tabled`]).
 
 mod bernstein;
 mod course;

@@ -181,7 +181,7 @@ fn factors(rows: &[Row], choice: &[usize], row: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// `row` times a matrix.
-fn times(row: &[f64], matrix: &[Row]) -> Row {
+pub(super) fn times(row: &[f64], matrix: &[Row]) -> Row {
     (0..row.len())
         .map(|j| row.iter().zip(matrix).map(|(own, other)| own * other[j]).sum())
         .collect()

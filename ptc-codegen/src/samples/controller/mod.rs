@@ -99,9 +99,8 @@ impl Builder<'_> {
     /// field that `init` derives.
     pub(super) fn keep(&mut self, name: &str, about: &str, value: Expr) -> Expr {
         match value {
-            Expr::Number(value) if is_plain(&value) => return Expr::Number(value),
-            Expr::Number(value) => return Expr::constant(name, about, value),
-            Expr::Count(_) => return value,
+            Expr::Number(ref own) if !is_plain(own) => return value.named(name, about),
+            Expr::Number(_) | Expr::Count(_) => return value,
             _ => {}
         }
         if let Some((name, ..)) = self.values.iter().find(|(_, _, known)| *known == value) {

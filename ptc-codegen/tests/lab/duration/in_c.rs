@@ -70,7 +70,7 @@ fn definitions(spec: &Spec) -> String {
 }
 
 #[track_caller]
-fn holds((name, spec): &(String, Spec)) {
+fn holds(name: &str, spec: &Spec) {
     let folder = support::folder(name);
     let plain = Spec { in_flight: false, name: Some("plain".to_owned()), ..spec.clone() };
     for file in [spec, &plain].into_iter().flat_map(|spec| {
@@ -96,10 +96,10 @@ fn holds((name, spec): &(String, Spec)) {
 
 #[test]
 fn families_start_as_fresh_ones() {
-    families().iter().for_each(holds);
+    families().iter().for_each(|(name, spec)| holds(name, spec));
 }
 
 #[test]
-fn other_designs_start_as_fresh_ones() {
-    kinds().iter().for_each(holds);
+fn designs_of_each_kind_start_as_fresh_ones() {
+    kinds().iter().for_each(|(name, spec)| holds(name, spec));
 }

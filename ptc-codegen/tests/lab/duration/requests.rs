@@ -1,4 +1,4 @@
-//! What the key `in_flight` asks for with a clock in time, and what it refuses.
+//! The key `in_flight` with a clock in time: its function, and refusals.
 
 use ptc_codegen::request::{self, Spec};
 
@@ -14,7 +14,7 @@ fn read(text: &str) -> Result<Spec, Vec<String>> {
 }
 
 #[test]
-fn the_key_asks_for_a_function() {
+fn key_changes_the_duration_and_the_fingerprint() {
     let spec = read(&format!("{CHAIN}in_flight = true\n")).expect("a legal design");
     assert!(spec.changes_duration());
     assert!(spec.command().contains("--in-flight"), "{}", spec.command());
@@ -26,7 +26,7 @@ fn the_key_asks_for_a_function() {
 }
 
 #[test]
-fn a_fixed_duration_does_not_change() {
+fn fixed_tau_is_refused() {
     let text = format!("{CHAIN}in_flight = true\n[params]\ntau = 1\n");
     let found = read(&text).expect_err("a fixed tau");
     let [one] = found.as_slice() else { panic!("{found:?}") };
@@ -38,7 +38,7 @@ fn a_fixed_duration_does_not_change() {
 }
 
 #[test]
-fn a_plan_needs_samples_for_one_reason() {
+fn keys_of_a_plan_are_refused_in_one_message() {
     for (keys, named) in [
         ("late = \"extend\"\n", "`late` needs a clock in samples"),
         ("pace = \"soonest\"\nreserve = 0.1\n", "`pace`, `reserve` need a clock in samples"),

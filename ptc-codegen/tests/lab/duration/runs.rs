@@ -48,7 +48,7 @@ fn deadlines_of_events_are_kept() {
 }
 
 #[test]
-fn a_duration_below_eps_is_refused() {
+fn duration_below_eps_is_refused() {
     let folder = support::folder("refused");
     let (code, _, told) = simulate(&folder, "[[event]]\nat = 0.3\ntau = 0.004\n", &["--tau=0.9"]);
     assert_ne!(code, Some(0));
@@ -56,7 +56,7 @@ fn a_duration_below_eps_is_refused() {
 }
 
 #[test]
-fn a_design_without_the_key_keeps_its_duration() {
+fn event_of_a_duration_needs_the_key() {
     let folder = support::folder("without");
     let text = STAGE.replace("in_flight = true\n", "") + "[[event]]\nat = 0.3\ntau = 0.4\n";
     std::fs::write(folder.join("stage.toml"), text).expect("a file");
@@ -71,7 +71,7 @@ fn a_design_without_the_key_keeps_its_duration() {
 
 /// The samples from an event on are those of a run that begins there with that duration.
 #[test]
-fn a_change_is_a_start() {
+fn run_goes_on_as_one_that_starts_there() {
     let text = format!("{STAGE}tau = 0.9\n");
     let entries = support::entries(&text);
     let spec = ptc_codegen::request::read_run(&entries).expect("a run");

@@ -356,7 +356,7 @@ fn given_way(keys: &[(&str, &str)], tolerance: [f64; 2]) -> usize {
 /// A state that is beyond its bounds by their tolerance counts as safe, so that what is promised from there needs more of
 /// the limits.
 #[test]
-fn a_tolerance_needs_room_in_the_limits() {
+fn tolerance_counts_in_the_condition_on_u() {
     let designs = [
         ("0.001, 0.1", [0.001, 0.1], "7.5", Verdict::Undecided),
         ("0.001, 0.1", [0.001, 0.1], "8.4", Verdict::Sound),
@@ -376,7 +376,7 @@ fn a_tolerance_needs_room_in_the_limits() {
 
 /// The limit of u that `check` names is enough, as it is printed.
 #[test]
-fn the_limit_that_is_named_is_enough() {
+fn named_limit_is_enough() {
     let told = |u_max: &str| {
         let spec = read(&tolerant("0.001, 0.1", u_max)).expect("a legal design");
         let report = examine(&spec);

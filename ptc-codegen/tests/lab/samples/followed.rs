@@ -108,6 +108,7 @@ fn a_polynomial_of_the_order_is_met() {
                 let errors = errors(&chain, &code, 60, &polynomial(n), given);
                 for (e, order) in errors.iter().zip(0..) {
                     let scaled = e / 64f64.powi(order);
+                    // The gains of an observer of n + 1 states carry that many roundings, and their errors add up over a round.
                     let most = if observed { 100.0 * LEFT } else { LEFT };
                     assert!(scaled <= most, "n = {n}, d = {delay}, {given} {observed}: {errors:?}");
                 }

@@ -8,8 +8,8 @@ use ptc_codegen::code::{Code, Instance, Status};
 
 use super::code;
 
-/// Accepted residue at rest, relative to the largest state on the way: the last gains leave some
-/// rounding errors of the state that they find.
+/// Accepted residue at rest, relative to the largest state on the way: the last gains leave some rounding errors of the
+/// state that they find, each a sum of as many rounded products as the loop has states.
 const REST: f64 = 6e-15;
 
 /// The same with an observer, whose estimates carry the rounding of the state that they were formed at.

@@ -12,24 +12,42 @@ use super::plant::{Plant, double, number};
 use super::rest::{listed, rows};
 use super::support::entries;
 
-/// A, B, the delay, the bounds of the states, and other keys.
-const DESIGNS: [(&str, &str, &str, &str, &str); 4] = [
-    ("0,1;0,-5", "0,40", "0", "inf,0.6", "eps = 0\n"),
-    ("0,1;-400,-2", "0,40", "0.3", "inf,inf", "eps = 0\n"),
-    ("0,1;9,1", "0,4", "2", "inf,inf", "eps = 0\ndelay_law = \"predict\"\n"),
-    (
-        "0,1;0,-5",
-        "0,40",
-        "0",
-        "inf,inf",
-        "eps = 0.08\npoles_end = \"least-energy(weight=1)\"\nend_samples = 12\n",
-    ),
+/// A plant with its bounds, as a design gives them.
+#[derive(Clone, Copy, Debug)]
+struct Design {
+    a: &'static str,
+    b: &'static str,
+    delay: &'static str,
+    /// The bounds of the states.
+    bounds: &'static str,
+    /// Other keys.
+    more: &'static str,
+}
+
+const DESIGNS: [Design; 4] = [
+    Design { a: "0,1;0,-5", b: "0,40", delay: "0", bounds: "inf,0.6", more: "eps = 0\n" },
+    Design { a: "0,1;-400,-2", b: "0,40", delay: "0.3", bounds: "inf,inf", more: "eps = 0\n" },
+    Design {
+        a: "0,1;9,1",
+        b: "0,4",
+        delay: "2",
+        bounds: "inf,inf",
+        more: "eps = 0\ndelay_law = \"predict\"\n",
+    },
+    Design {
+        a: "0,1;0,-5",
+        b: "0,40",
+        delay: "0",
+        bounds: "inf,inf",
+        more: "eps = 0.08\npoles_end = \"least-energy(weight=1)\"\nend_samples = 12\n",
+    },
 ];
 
 const U_MAX: f64 = 5.0;
 const STRETCH: f64 = 1.0 + 1e-9;
 
-fn text((a, b, delay, bounds, more): (&str, &str, &str, &str, &str), late: &str) -> String {
+fn text(design: &Design, late: &str) -> String {
+    let Design { a, b, delay, bounds, more } = design;
     format!(
         "mu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\ntau = 0.3\nu_max = {U_MAX}\ndelay = {delay}\n\
          poles = \"least-energy\"\nstate_max = [{bounds}]\n{late}\n{more}[plant]\nA = {}\nB = [{b}]\n",
@@ -65,9 +83,9 @@ struct Run {
 }
 
 impl Run {
-    fn new(design: (&str, &str, &str, &str, &str), late: &str, x: [f64; 2]) -> Self {
+    fn new(design: &Design, late: &str, x: [f64; 2]) -> Self {
         let spec = read(&text(design, late)).unwrap_or_else(|found| panic!("{found:?}"));
-        let (a, b, delay, bounds, _) = design;
+        let Design { a, b, delay, bounds, .. } = *design;
         let [a, b, c] = [a, b, "1,0;0,1"].map(rows);
         let mut plant = Plant::new(&a, &b[0], &c, &number("0.01"), delay, &number("0"));
         plant.x = x.iter().map(|x| BigInt::from((x * 2f64.powi(60)) as i128) << 340).collect();
@@ -113,7 +131,7 @@ impl Run {
 
 #[test]
 fn planned_deadlines_keep_all_limits_and_end_at_rest() {
-    for design in DESIGNS {
+    for design in &DESIGNS {
         let mut found = 0;
         for x in states() {
             let mut run = Run::new(design, "in_flight = true\nreserve = 1e-9", x);
@@ -124,7 +142,7 @@ fn planned_deadlines_keep_all_limits_and_end_at_rest() {
                 assert_ne!(run.step(k), Status::Saturated, "{design:?} {x:?} {k} of {samples}");
             }
             let left = run.plant.left();
-            assert!(left < 1e-12 || design.4.contains("0.08"), "{design:?} {x:?}: {left}");
+            assert!(left < 1e-12 || design.more.contains("0.08"), "{design:?} {x:?}: {left}");
         }
         assert!(found > 3, "{design:?}: {found}");
     }
@@ -132,7 +150,7 @@ fn planned_deadlines_keep_all_limits_and_end_at_rest() {
 
 #[test]
 fn deadlines_that_are_put_off_are_put_off_once() {
-    for design in DESIGNS {
+    for design in &DESIGNS {
         let mut put_off = 0;
         for x in states() {
             let mut run = Run::new(design, "late = \"extend\"", x);
@@ -157,8 +175,8 @@ fn deadlines_that_are_put_off_are_put_off_once() {
 }
 
 #[test]
-fn a_deadline_that_is_too_soon_is_refused() {
-    for design in DESIGNS {
+fn deadline_that_is_too_soon_is_refused() {
+    for design in &DESIGNS {
         let mut run = Run::new(design, "late = \"refuse\"", [0.3, -0.2]);
         let samples = run.soonest().expect("a deadline");
         assert_eq!(run.arm_for(samples), Status::Ok, "{design:?} {samples}");
@@ -168,8 +186,8 @@ fn a_deadline_that_is_too_soon_is_refused() {
 
 /// The feasible set of `check` is that of the controller: from inside it tau is not put off.
 #[test]
-fn the_feasible_set_is_that_of_the_controller() {
-    for design in DESIGNS {
+fn feasible_set_is_that_of_the_controller() {
+    for design in &DESIGNS {
         let spec = read(&text(design, "late = \"refuse\"")).expect("a design");
         let set = FeasibleSet::of(&spec).unwrap_or_else(|none| panic!("{}", none.why));
         for (x1, x2) in set.kept.states.iter().step_by(30) {
@@ -188,7 +206,7 @@ fn plans_that_no_table_bounds_are_refused() {
         let [one] = found.as_slice() else { panic!("{text}: {found:?}") };
         assert!(format!("{} {}", one.message, one.help).contains(wanted), "{text}: {one:?}");
     };
-    let own = text(DESIGNS[0], "late = \"extend\"");
+    let own = text(&DESIGNS[0], "late = \"extend\"");
     refused(&own.replace("\"least-energy\"", "[-4, -5]"), "beside A and B and a law of poles");
     refused(&own.replace("u_max = 5", "u_max = inf").replace("0.6", "inf"), "without a limit");
     let follows =

@@ -14,7 +14,7 @@ use super::{Random, code, estimates, legal, update};
 const EXACT: f64 = 1e-13;
 
 /// The same of a linear plant, in parts of the largest of each state: that y is rounded to 1e-16 shows
-/// 1e7 times as much in the last state of four of a plant that is sampled at 100 Hz.
+/// 1e7 times as much in the last state of four of a plant that is sampled at 100 Hz, and a gain has three roundings.
 const LINEAR: f64 = 3e-9;
 
 /// A law of the user's: u = -k xhat - d, clipped.

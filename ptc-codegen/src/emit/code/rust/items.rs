@@ -186,10 +186,9 @@ impl Rust<'_> {
         }
         if result.contains("Error") {
             let counts = function.arguments.iter().any(|own| own.shape == Shape::Count);
-            let lasts = function.arguments.iter().any(|own| own.name == "tau");
             let errors = function.failures.iter().map(|status| match status {
                 Status::Soon => "`Soon`: a limit could be exceeded with so few samples, or with any.",
-                Status::Param if lasts => "`Param`: an argument or what follows from it is not finite, or `tau` is outside its domain; nothing has changed.",
+                Status::Param if function.takes_duration() => "`Param`: an argument or what follows from it is not finite, or `tau` is outside its domain; nothing has changed.",
                 Status::Param if counts => "`Param`: the number of samples is out of its range.",
                 Status::Param => "`Param`: an argument or what follows from it is not finite; nothing has changed.",
                 Status::Input => "`Input`: an argument is not finite or out of its domain.",

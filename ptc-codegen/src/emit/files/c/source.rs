@@ -42,7 +42,7 @@ impl C<'_> {
     fn constants(&mut self) {
         let constants = self.code.constants();
         if !constants.is_empty() {
-            self.out.line("\n/* What is known of the design, each number rounded once. */");
+            self.out.line("\n/* Numbers of the design, each rounded once. */");
         }
         for own in &constants {
             let value = self.literal_of(own);

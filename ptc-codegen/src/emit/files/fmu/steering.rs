@@ -8,6 +8,7 @@ use crate::request::Spec;
 use crate::samples::controller;
 
 /// Inputs that change a controller while it runs.
+#[derive(Default)]
 pub(super) struct Steering {
     /// True with a clock in time, of which the duration alone changes.
     pub(super) in_time: bool,
@@ -44,9 +45,6 @@ impl Steering {
         let known = code.function("assume").map_or(0, length);
         let first = spec.n + 1 - known;
         let mut steering = Self {
-            in_time: false,
-            inputs: Vec::new(),
-            switches: Vec::new(),
             target: spec.is_one_chain() && spec.reference.is_none(),
             moves: code.function("move").is_some(),
             judges: takes_state(&code, "arm_for"),
@@ -55,6 +53,7 @@ impl Steering {
             disturbance: code.function("assume_disturbance").is_some(),
             estimates_x1: known > 0 && first == 1,
             soonest: code.function("soonest").map(|_| takes_state(&code, "soonest")),
+            ..Self::default()
         };
         steering.add_inputs(spec, first);
         Some(steering)
@@ -62,19 +61,7 @@ impl Steering {
 
     /// Returns it for a spec with a clock in time, whose duration changes.
     fn of_duration(spec: &Spec) -> Self {
-        let mut steering = Self {
-            in_time: true,
-            inputs: Vec::new(),
-            switches: Vec::new(),
-            target: false,
-            moves: false,
-            judges: false,
-            applied: false,
-            known: 0,
-            disturbance: false,
-            estimates_x1: false,
-            soonest: None,
-        };
+        let mut steering = Self { in_time: true, ..Self::default() };
         steering.add_inputs(spec, 1);
         steering
     }

@@ -112,7 +112,7 @@ impl Python<'_> {
         } else {
             self.out.words("", &format!("\"\"\"{}", function.about));
             self.out.line(match self.gives {
-                Gives::Status if function.arguments.iter().any(|own| own.name == "tau") => "\nValueError where an argument or what follows from it is not finite, or tau is outside its\ndomain; the controller is left as it was.",
+                Gives::Status if function.takes_duration() => "\nValueError where an argument or what follows from it is not finite, or tau is outside its\ndomain; the controller is left as it was.",
                 Gives::Status => "\nValueError where an argument or what follows from it is not finite; the controller\nis left as it was.",
                 Gives::Count => "\nValueError where an argument is not finite, or where there is none.",
                 Gives::Progress => "\nOn a negative status nothing has changed.",

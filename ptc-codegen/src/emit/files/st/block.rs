@@ -105,15 +105,10 @@ impl StructuredText<'_> {
         self.function(self.code.start.as_ref().map_or("arm", Start::function))
     }
 
-    /// Returns true if a start may be given another duration.
-    fn lasts(&self) -> bool {
-        self.code.start.as_ref().is_some_and(|start| start.duration.is_some())
-    }
-
     /// Prints `init` and `arm`: the fields are built separately, so that a call that fails changes nothing.
     fn start(&mut self, starting: &Function) {
         let code = self.code;
-        self.out.open(match self.lasts() {
+        self.out.open(match self.code.changes_duration() {
             true => "IF init OR arm OR arm_for THEN",
             false => "IF init OR arm THEN",
         });
@@ -135,7 +130,7 @@ impl StructuredText<'_> {
             Some(_) => self.out.line(format!("{} := start_time;", self.local("t0"))),
             None => self.block(&starting.body),
         }
-        if self.lasts() {
+        if self.code.changes_duration() {
             let tau = self.local("tau");
             self.out.open("IF arm_for THEN");
             self.out.line(format!("{tau} := {FOR_TAU};"));
@@ -196,11 +191,11 @@ impl StructuredText<'_> {
             None => inputs.push(flag("arm", "start again at tick k")),
             Some(start) => {
                 inputs.push(flag("arm", "start again at start_time"));
-                if self.lasts() {
+                if self.code.changes_duration() {
                     inputs.push(flag("arm_for", "start again at start_time for arm_for_tau"));
                 }
                 inputs.push(Member::new("start_time", Kind::Elementary(self.real), "s"));
-                if self.lasts() {
+                if self.code.changes_duration() {
                     inputs.push(Member::new(FOR_TAU, Kind::Elementary(self.real), "duration, s"));
                 }
                 inputs.extend(start.state.as_ref().map(|state| {
@@ -227,7 +222,7 @@ impl StructuredText<'_> {
         if code.start.is_some() {
             locals.insert("t0".to_owned(), Shape::Real);
         }
-        if self.lasts() {
+        if self.code.changes_duration() {
             locals.insert("tau".to_owned(), Shape::Real);
         }
         let local =

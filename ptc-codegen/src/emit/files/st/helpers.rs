@@ -132,8 +132,7 @@ pub(super) fn about(code: &Code, real: &str, commands: Option<String>) -> String
         None => ("at tick 0", "tick k", "once for each tick k"),
         Some(_) => ("at params.t0 (or the fixed t0)", "start_time", "at each time t"),
     };
-    let lasts = code.start.as_ref().is_some_and(|start| start.duration.is_some());
-    let (lasting, neither) = match lasts {
+    let (lasting, neither) = match code.changes_duration() {
         true => ("\nwith arm_for the same for the duration arm_for_tau;", "none of them"),
         false => ("", "neither"),
     };

@@ -5,6 +5,7 @@ use num_traits::ToPrimitive;
 use super::Row;
 use crate::algebra::BigRational;
 use crate::linear::horizon::Signal;
+use crate::linear::horizon::span::times;
 use crate::linear::{Matrix, Schedule};
 use crate::parameter::Precision;
 
@@ -43,7 +44,7 @@ impl Closed {
         let row =
             |all: &[BigRational]| all.iter().map(ToPrimitive::to_f64).collect::<Option<Row>>();
         let emitted = |all: &Vec<BigRational>| -> Option<Row> {
-            Some(row(all)?.into_iter().map(|gain| -rounded(gain, precision)).collect())
+            Some(row(all)?.into_iter().map(|gain| -precision.rounded(gain)).collect())
         };
         let longest = schedule.samples;
         let rest = schedule.least().max(held);
@@ -71,7 +72,7 @@ impl Closed {
         let mut units = vec![0.0_f64; n];
         for _ in 0..n {
             units.iter_mut().zip(&row).for_each(|(own, value)| *own = own.max(value.abs()));
-            row = after(&row, &self.step(self.rest));
+            row = times(&row, &self.step(self.rest));
         }
         units.iter_mut().filter(|own| **own == 0.0).for_each(|own| *own = 1.0);
         for i in 0..n {
@@ -120,25 +121,10 @@ impl Closed {
             (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
         let mut rows = Vec::new();
         for left in (self.rest + 1..=left).rev() {
-            rows.push(after(&self.signal(signal, left), &all));
-            all = self.step(left).iter().map(|row| after(row, &all)).collect();
+            rows.push(times(&self.signal(signal, left), &all));
+            all = self.step(left).iter().map(|row| times(row, &all)).collect();
         }
         rows.reverse();
-        Future { held: held.iter().map(|row| after(row, &all)).collect(), rows }
+        Future { held: held.iter().map(|row| times(row, &all)).collect(), rows }
     }
-}
-
-/// A number in the precision of the table.
-#[allow(clippy::cast_possible_truncation)]
-fn rounded(value: f64, precision: Precision) -> f64 {
-    match precision {
-        Precision::F64 => value,
-        Precision::F32 => f64::from(value as f32),
-    }
-}
-
-/// A row times a matrix.
-pub(super) fn after(row: &[f64], matrix: &[Row]) -> Row {
-    let sum = |j: usize| row.iter().zip(matrix).map(|(own, other)| own * other[j]).sum();
-    (0..row.len()).map(sum).collect()
 }

@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_row_bounds_is_unbounded() {
+    fn row_outside_the_span_is_unbounded() {
         let hull = Hull::new(2, [vec![1.0, 1.0], vec![2.0, 2.0]].iter());
         assert!(hull.bound(&[1.0, 0.0], &mut hull.basis()).sum > 1e9);
         assert!((hull.bound(&[3.0, 3.0], &mut hull.basis()).sum - 1.5).abs() < 1e-9);

@@ -2,7 +2,7 @@
 //!
 //! With M samples to go a signal has the rows r_j of all samples j to rest, x being the state and r_j x the signal. A few
 //! of them bound the others: a row that is a combination of kept ones is bounded by the sum of the sizes of its factors.
-//! Which samples are kept is decided for each factor of 2 in M ([`knots`]), and their rows are interpolated in M. Every M
+//! The samples that are kept are chosen for each factor of 2 in M ([`knots`]), and their rows are interpolated in M. Every M
 //! is then examined: all r_j are within the hull of the rows that are interpolated, which are scaled so that this is so,
 //! and these are within the hull of all r_j times `growth`.
 //!
@@ -90,7 +90,7 @@ pub(crate) struct Tabled {
     pub(super) slack: f64,
 }
 
-/// What the examination of every M found.
+/// Results of the examination of every M.
 struct Examined {
     /// The factors with which the rows bound the signal, and the signal bounds the rows, the largest of each piece.
     pieces: Vec<[f64; 2]>,

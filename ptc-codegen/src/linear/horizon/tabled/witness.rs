@@ -4,8 +4,8 @@
 //! the hull of the others, whose factors grow by what is missing. What is within a hull stays there as all rows are
 //! carried on by the same matrix, so that errors do not add up from sample to sample.
 
+use super::super::span::times;
 use super::Row;
-use super::closed::after;
 use super::hull::Hull;
 
 /// Most factor of a row.
@@ -27,7 +27,7 @@ impl Witness {
     /// Carries all rows on to a sample earlier, whose own row is `row`.
     pub(super) fn advance(&mut self, step: &[Row], row: Row) {
         for (own, _) in &mut self.rows {
-            *own = after(own, step);
+            *own = times(own, step);
         }
         self.rows.push((row, 1.0));
         let before = self.rows.len() - 2;
