@@ -52,8 +52,12 @@ pub(crate) fn spend(steps: usize) -> Option<()> {
 /// Steps of the effort that an operation or an operand takes that is copied, and kept until a normal
 /// form of the whole is found: beside the time that is some 100 bytes, two or three times.
 const KEPT: usize = 8;
+/// Steps that a normal form takes beside those of its operations.
+pub(super) const FORMED: usize = 60;
+/// Steps that the comparison of two coefficients of a scale takes.
+pub(super) const COMPARED: usize = 10;
 /// Steps that an operation of a search for leading terms takes the time of.
-pub(super) const WALKED: usize = 25;
+pub(super) const WALKED: usize = 150;
 /// Steps that an operation on long intervals takes the time of.
 pub(super) const ENCLOSED: usize = 300;
 

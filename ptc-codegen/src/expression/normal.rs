@@ -40,6 +40,9 @@ pub(crate) fn shorter(expression: Expression) -> Expression {
 
 /// The normal form: equal to the expression wherever that exists.
 pub(crate) fn normal(expression: &Expression) -> Expression {
+    if expression.number().is_some() {
+        return expression.clone();
+    }
     let form = bounded(|| {
         let rewritten = logarithmic(expression);
         let mut field = Field::of(&rewritten);

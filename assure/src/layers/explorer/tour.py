@@ -30,6 +30,18 @@ tau = 0.8
 u_max = 200
 """
 
+# The sign that an answer is awaited is for what takes longer than 150 ms, which no design does on every machine:
+# requests are held back.
+HELD_BACK = """() => {
+  window.awaited = [];
+  const busy = document.querySelector("#busy");
+  new MutationObserver(() => awaited.push(busy.textContent)).observe(busy, { childList: true });
+  window.post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (...words) {
+    setTimeout(() => post.apply(this, words), 400);
+  };
+}"""
+
 REFERENCE = CHAIN.replace("n = 2", 'n = 2\nreference = "0.1*sin(2*t)"')
 
 LIMITED = """n = 2
@@ -138,11 +150,9 @@ def tried(opened, put):
     page.locator("#knob-tau").focus()
     opened.after(lambda: page.keyboard.press("ArrowRight"))
     facts["comments stay true"] = "# At rest after 1.05 s." in page.input_value("#text")
-    page.evaluate("""() => {
-      window.awaited = [];
-      new MutationObserver(() => awaited.push(document.querySelector("#busy").textContent)).observe(document.querySelector("#busy"), { childList: true });
-    }""")
-    put(OBSERVER.replace("sample_time = 1e-3", "sample_time = 2e-5").replace("observer_samples = 200", "observer_samples = 9000"), "0.1, 0")
+    page.evaluate(HELD_BACK)
+    put(CHAIN.replace("tau = 1", "tau = 2"), "1, 0")
     facts["an answer that takes longer is said to be awaited"] = page.evaluate("() => awaited[0] !== '' && awaited.at(-1) === ''")
+    page.evaluate("() => { Worker.prototype.postMessage = post; }")
     put(CHAIN, "1, 0")
     return facts

@@ -4,7 +4,7 @@ mod calls;
 mod powers;
 
 use super::compact::Measure;
-use super::effort::spend;
+use super::effort::{FORMED, spend};
 use super::ratio::Ratio;
 use super::{Expression, Found, Function, Node};
 use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
@@ -42,6 +42,8 @@ impl Field {
         let pi = expression.any(&|e| *e == Expression::pi()).then_some(Expression::pi());
         let parameters = expression.parameters().into_iter().map(Expression::from);
         let mut field = Self::default();
+        // Where it is not left, the first operation finds that out.
+        let _ = spend(FORMED);
         for name in pi.into_iter().chain(parameters) {
             // The one for which there is no room is found missing when it is looked for.
             let _ = field.symbol(Kernel::Atom(name));

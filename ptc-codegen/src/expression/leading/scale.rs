@@ -1,7 +1,7 @@
 //! Scales of growth: products of powers of v, ln v and ln ln v with exponentials of such products.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::Zero;
 
@@ -9,6 +9,7 @@ use super::{ordering, zero};
 use crate::algebra::{BigRational, integer};
 use crate::collect::map;
 use crate::expression::Expression;
+use crate::expression::effort::{COMPARED, spend};
 use crate::expression::normal::normal;
 
 /// v^p (ln v)^q (ln ln v)^r (ln ln ln v)^s, by its powers; the order of the powers is that of growth.
@@ -176,9 +177,21 @@ impl Scale {
         if self.fast != 0 {
             return None;
         }
-        if self == other {
-            return Some(Ordering::Equal);
+        let open = self.open.as_ref().max(other.open.as_ref());
+        let products: BTreeSet<_> = self.exponent.keys().chain(other.exponent.keys()).collect();
+        for product in products.into_iter().rev().take_while(|p| open.is_none_or(|open| *p > open)) {
+            spend(COMPARED)?;
+            match (self.exponent.get(product), other.exponent.get(product)) {
+                (own, others) if own == others => {}
+                (own, others) => {
+                    let or_zero = |c: Option<&Expression>| c.cloned().unwrap_or_else(zero);
+                    match ordering(&normal(&or_zero(own).sub(or_zero(others))))? {
+                        Ordering::Equal => {}
+                        order => return Some(order),
+                    }
+                }
+            }
         }
-        self.times(&other.inverse())?.tends()
+        (self == other || open.is_none()).then_some(Ordering::Equal)
     }
 }
