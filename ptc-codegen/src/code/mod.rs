@@ -32,6 +32,8 @@ pub use expression::{AXIS, Cell, Expr, Operator, Test};
 pub use function::{Access, Callback, Ending, Finish, Function, Owner};
 pub use index::Index;
 pub use inputs::{Inputs, Standing, Whose};
+#[cfg(feature = "simulate")]
+pub use interpret::InstanceLanes;
 #[cfg(feature = "files")]
 pub use interpret::{Argument, Called, Handle, Instance, Outcome, Slot};
 pub use iteration::Iteration;

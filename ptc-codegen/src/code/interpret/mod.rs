@@ -4,6 +4,8 @@
 
 mod compile;
 mod init;
+#[cfg(feature = "simulate")]
+mod lanes;
 mod run;
 mod tape;
 
@@ -16,6 +18,8 @@ use crate::collect::map;
 use crate::internal::fault;
 use crate::parameter::Precision;
 use crate::program::number;
+#[cfg(feature = "simulate")]
+pub use lanes::InstanceLanes;
 use run::Run;
 use tape::{Named, Step, Tape};
 

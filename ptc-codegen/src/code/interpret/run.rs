@@ -1,7 +1,7 @@
 //! The steps of one call.
 
 use super::Called;
-use super::tape::{Address, Callback, Counting, Ended, Question, Step};
+use super::tape::{Address, Callback, Ended, Question, Step};
 use crate::code::Status;
 use crate::code::branch::{At, Taken};
 use crate::internal::fault;
@@ -57,11 +57,15 @@ impl Run<'_> {
     /// Steps that are rare.
     fn other(&mut self, step: &Step) {
         match step {
-            Step::Count(operation, to) => self.memory[*to] = self.counted(*operation),
+            Step::Count(operation, to) => {
+                self.memory[*to] = operation.result(|slot| self.memory[slot]);
+            }
             Step::Round(count, to) => {
                 self.memory[*to] = number::settle(self.memory[*count], self.precision);
             }
-            Step::Place(address, to) => self.memory[*to] = self.index(address),
+            Step::Place(address, to) => {
+                self.memory[*to] = address.index(|slot| self.memory[slot]);
+            }
             Step::Load(address, to) => self.memory[*to] = self.memory[self.place(address)],
             Step::Store(from, address) => self.memory[self.place(address)] = self.memory[*from],
             Step::Copy { from, to, count } => self.memory.copy_within(*from..from + count, *to),
@@ -75,15 +79,7 @@ impl Run<'_> {
     }
 
     fn asks(&self, question: Question) -> bool {
-        let at = |slot: usize| self.memory[slot];
-        match question {
-            Question::Less(a, b) => at(a) < at(b),
-            Question::AtMost(a, b) => at(a) <= at(b),
-            #[allow(clippy::float_cmp)]
-            Question::Equal(a, b) => at(a) == at(b),
-            Question::Finite(a) => at(a).is_finite(),
-            Question::NotNumber(a) => at(a).is_nan(),
-        }
+        question.holds(|slot| self.memory[slot])
     }
 
     fn note(&mut self, at: At, holds: bool) {
@@ -92,32 +88,9 @@ impl Run<'_> {
         }
     }
 
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    fn counted(&self, operation: Counting) -> f64 {
-        let at = |slot: usize| self.memory[slot] as u32;
-        match operation {
-            // A loop may count beyond its last index, and no other sum reaches 2^32.
-            Counting::Add(a, b) => self.memory[a] + self.memory[b],
-            Counting::Sub(a, b) => f64::from(at(a).wrapping_sub(at(b))),
-            Counting::Left(a, b) => f64::from(at(a).saturating_sub(at(b))),
-            Counting::Over(a, by) => f64::from(at(a) / by),
-        }
-    }
-
-    /// The sum of indices.
-    fn index(&self, address: &Address) -> f64 {
-        let term = |(factor, slot): &(f64, usize)| factor * self.memory[*slot];
-        address.terms.iter().map(term).sum::<f64>() + address.constant
-    }
-
     /// The slot of an element.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     fn place(&self, address: &Address) -> usize {
-        let index = self.index(address);
-        if index < 0.0 {
-            fault(format!("element {index} of an array"));
-        }
-        address.array.element(index as usize)
+        address.slot(address.index(|slot| self.memory[slot]))
     }
 
     /// Calls a function; one of several values is asked for them one at a time.

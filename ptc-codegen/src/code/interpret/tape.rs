@@ -103,6 +103,22 @@ pub(super) enum Counting {
     Over(usize, u32),
 }
 
+impl Counting {
+    /// The count that follows from those in slots.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    #[inline]
+    pub(super) fn result(self, at: impl Fn(usize) -> f64) -> f64 {
+        let count = |slot: usize| at(slot) as u32;
+        match self {
+            // A loop may count beyond its last index, and no other sum reaches 2^32.
+            Self::Add(a, b) => at(a) + at(b),
+            Self::Sub(a, b) => f64::from(count(a).wrapping_sub(count(b))),
+            Self::Left(a, b) => f64::from(count(a).saturating_sub(count(b))),
+            Self::Over(a, by) => f64::from(count(a) / by),
+        }
+    }
+}
+
 /// A question about slots.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Question {
@@ -111,6 +127,21 @@ pub(super) enum Question {
     Equal(usize, usize),
     Finite(usize),
     NotNumber(usize),
+}
+
+impl Question {
+    /// The answer for the numbers in slots.
+    #[inline]
+    pub(super) fn holds(self, at: impl Fn(usize) -> f64) -> bool {
+        match self {
+            Self::Less(a, b) => at(a) < at(b),
+            Self::AtMost(a, b) => at(a) <= at(b),
+            #[allow(clippy::float_cmp)]
+            Self::Equal(a, b) => at(a) == at(b),
+            Self::Finite(a) => at(a).is_finite(),
+            Self::NotNumber(a) => at(a).is_nan(),
+        }
+    }
 }
 
 /// The end of a call.
@@ -130,6 +161,23 @@ pub(super) struct Callback {
     /// The slot of kappa', where the function gives several values.
     pub(super) rate: Option<usize>,
     pub(super) to: Slots,
+}
+
+impl Address {
+    /// The sum of indices.
+    pub(super) fn index(&self, at: impl Fn(usize) -> f64) -> f64 {
+        let term = |(factor, slot): &(f64, usize)| factor * at(*slot);
+        self.terms.iter().map(term).sum::<f64>() + self.constant
+    }
+
+    /// The slot of the element at an index.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub(super) fn slot(&self, index: f64) -> usize {
+        if index < 0.0 {
+            fault(format!("element {index} of an array"));
+        }
+        self.array.element(index as usize)
+    }
 }
 
 impl Slots {

@@ -15,6 +15,7 @@ pub(crate) use pack::{vectorized, with_vectors};
 
 use super::{Input, Op, Program, Stage, Value};
 use crate::parameter::Precision;
+pub(crate) use perform::apply;
 use perform::perform;
 use tape::{Tape, with_products};
 

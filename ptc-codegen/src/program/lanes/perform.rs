@@ -79,7 +79,7 @@ fn mul(a: f64, b: f64) -> f64 {
 /// An operation in each lane; those that are loops of a compiler's vectors are written out. Each writes its
 /// own result: one that all hand over would be copied once more.
 #[inline(always)]
-fn apply(operation: &Arithmetic, registers: &mut [Pack], to: usize) {
+pub(crate) fn apply(operation: &Arithmetic, registers: &mut [Pack], to: usize) {
     let at = |place: usize| &registers[place];
     match *operation {
         Arithmetic::Number(value) => registers[to] = Pack::all(value),
