@@ -87,6 +87,21 @@ impl Controller {
         &self.emitted.spec
     }
 
+    /// Returns its code as it runs.
+    pub(super) fn instance(&self) -> &Instance {
+        &self.instance
+    }
+
+    /// Returns its code, for a state from elsewhere.
+    pub(super) fn instance_mut(&mut self) -> &mut Instance {
+        &mut self.instance
+    }
+
+    /// Returns its `step`, and its `deadline`, if it has one.
+    pub(super) fn handles(&self) -> (Handle, Option<Handle>) {
+        (self.emitted.step, self.emitted.deadline)
+    }
+
     /// Returns its program; `None` for a clock in samples.
     pub(super) fn program(&self) -> Option<&Program> {
         self.emitted.program.as_ref()

@@ -60,6 +60,11 @@ impl EventQueue {
 }
 
 impl SampleEvents {
+    /// Returns true if nothing happens but forces.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Tells the controller that targets move, and counts the states from there.
     pub(super) fn move_targets(&self, control: &mut dyn Control, x: &mut [f64]) {
         for change in &self.0 {

@@ -20,7 +20,7 @@ pub(super) struct Frame<'a> {
     /// When the last sample was taken, after t0.
     now: f64,
     /// Part of a sample after which the next input takes over.
-    part: f64,
+    pub(super) part: f64,
     /// True if sensors give the state as it is.
     pub(super) exact: bool,
 }

@@ -3,6 +3,7 @@
 use num_traits::{FromPrimitive, ToPrimitive};
 
 use super::Failure;
+use super::held::{Row, is_same};
 use super::method::State;
 use crate::algebra::BigRational;
 use crate::linear::{self, Delay, Rows, flow, zero_order_hold};
@@ -74,10 +75,20 @@ impl Linear {
         self.c.iter().map(|row| row.iter().zip(x).map(|(c, x)| c * x).sum()).collect()
     }
 
+    /// Returns the rows over a length that is the period, and the period; `None` over another one.
+    pub(super) fn known(&self, length: f64) -> Option<(f64, Vec<Row<'_>>)> {
+        let (own, rows) = self.over.as_ref().filter(|(own, _)| is_same(*own, length))?;
+        // Not even a zero changes by what is added.
+        let all = rows.iter().map(|row| {
+            let (whole, of_input) = row.split_at(self.order());
+            (whole, of_input, -0.0)
+        });
+        Some((*own, all.collect()))
+    }
+
     /// The state after `length` s with u.
     pub(super) fn after(&mut self, x: State, u: f64, length: f64) -> Result<State, Failure> {
-        let known = self.over.as_ref();
-        let known = known.filter(|(own, _)| (own - length).abs() <= SAME * length);
+        let known = self.over.as_ref().filter(|(own, _)| is_same(*own, length));
         let other = match known {
             Some(_) => None,
             None => self.part(length),

@@ -52,11 +52,6 @@ impl Motion {
         }
     }
 
-    /// Returns true if it is linear while its inputs are held, beside sines of time.
-    pub(super) fn is_held(&self) -> bool {
-        self.held.is_some()
-    }
-
     /// The program and its kinks.
     pub(super) fn program(&self) -> (&Program, &[Kink]) {
         (&self.program, &self.kinks)

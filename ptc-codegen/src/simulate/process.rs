@@ -6,6 +6,7 @@ use super::between::{BETWEEN, Between, Held, Moved};
 use super::control::Control;
 use super::event_queue::EventQueue;
 use super::frame::{Frame, Span};
+use super::held::Row;
 use super::integrals::Integrals;
 use super::linear::Linear;
 use super::method::State;
@@ -23,11 +24,11 @@ use crate::request::Spec;
 #[derive(Clone, Debug)]
 pub struct Process {
     n: usize,
-    inputs: usize,
+    pub(super) inputs: usize,
     /// Number of measured values.
-    measured: usize,
+    pub(super) measured: usize,
     /// True if the clock of the controller is the number of the sample.
-    in_samples: bool,
+    pub(super) in_samples: bool,
     pub(super) moved: Moved,
     /// Inputs of the controller for a plant with other states than the law.
     pub(super) outputs: Option<Outputs>,
@@ -35,7 +36,7 @@ pub struct Process {
 }
 
 /// Most times tau, from where the controller was armed, for which a run follows a deadline that is put off.
-const LONGEST: f64 = 20.0;
+pub(super) const LONGEST: f64 = 20.0;
 
 /// Bounds of all states and of u below which they count as 0.
 const NOTHING: [f64; 2] = [1e-100, 1e-80];
@@ -169,8 +170,13 @@ impl Process {
         Ok(())
     }
 
+    /// Number of states of the plant.
+    pub(super) fn states(&self) -> usize {
+        self.n
+    }
+
     /// Begins a run from `x0`, and returns the state that the controller is given.
-    fn start(&mut self, values: &Values, x0: &[f64]) -> Result<Vec<f64>, Failure> {
+    pub(super) fn start(&mut self, values: &Values, x0: &[f64]) -> Result<Vec<f64>, Failure> {
         if let Moved::Rates(motion) = &mut self.moved {
             motion.init(values, x0)?;
         }
@@ -183,7 +189,7 @@ impl Process {
     }
 
     /// Gives the plant's symbols other values; a linear plant has none.
-    fn give(&mut self, values: &Values) -> Result<(), Failure> {
+    pub(super) fn give(&mut self, values: &Values) -> Result<(), Failure> {
         if let Moved::Rates(motion) = &mut self.moved {
             motion.give(values)?;
             if let Some(outputs) = &mut self.outputs {
@@ -195,19 +201,38 @@ impl Process {
 
     /// The measurement of a state at time `t`.
     fn measured(&mut self, frame: &mut Frame<'_>, t: f64, state: &[f64]) -> Vec<f64> {
-        let mut measured = match (&mut self.outputs, &self.moved) {
-            (Some(outputs), _) => outputs.at(t, state).to_vec(),
-            (None, Moved::Rates(_)) => state.to_vec(),
-            (None, Moved::Linear(plant)) => plant.measured(state),
-        };
+        let mut measured = self.sensed(t, state);
         frame.measure(&mut measured);
         // A chain's other states reach no sensor.
         measured.truncate(self.measured);
         measured
     }
 
+    /// Returns true if sensors without errors give the state itself.
+    pub(super) fn gives_state(&self) -> bool {
+        self.outputs.is_none() && matches!(self.moved, Moved::Rates(_))
+    }
+
+    /// What sensors without errors give in a state at time `t`.
+    pub(super) fn sensed(&mut self, t: f64, state: &[f64]) -> Vec<f64> {
+        match (&mut self.outputs, &self.moved) {
+            (Some(outputs), _) => outputs.at(t, state).to_vec(),
+            (None, Moved::Rates(_)) => state.to_vec(),
+            (None, Moved::Linear(plant)) => plant.measured(state),
+        }
+    }
+
+    /// The rows of the plant over a time in which its inputs are held, and the length to which they belong; `None` where
+    /// only [`Self::between`] moves it.
+    pub(super) fn rows(&mut self, length: f64) -> Option<(f64, Vec<Row<'_>>)> {
+        match &mut self.moved {
+            Moved::Rates(motion) => motion.rows(length).map(|(own, rows)| (own, rows.collect())),
+            Moved::Linear(plant) => plant.known(length),
+        }
+    }
+
     /// The state at the end of a time in which u is constant, at whose beginning `time_to_go` is left.
-    fn between(
+    pub(super) fn between(
         &mut self,
         walk: &mut Walk,
         x: State,

@@ -1,6 +1,5 @@
 //! The loop as it will run: the emitted controller at each sample, u held in between.
 
-use super::between::Moved;
 use super::lanes::RunningLanes;
 use super::{Controller, Failure, Loop, Process, Sample, Values};
 use crate::expression::Expression;
@@ -34,14 +33,9 @@ impl Sampled {
         Self { process: self.process.with_integrals(spec, integrands), ..self }
     }
 
-    /// The same for many scenarios at once, where the plant is linear between samples; `None` where it is not,
-    /// and for a clock in samples.
-    pub fn in_lanes(&self) -> Option<RunningLanes> {
-        let Process { moved, integrals, outputs, .. } = &self.process;
-        match (moved, integrals, outputs) {
-            (Moved::Rates(motion), None, None) => RunningLanes::of(&self.controller, motion),
-            _ => None,
-        }
+    /// The same for many scenarios at once, which may have events; `None` where integrals are asked for.
+    pub fn in_lanes(&self, events: bool) -> Option<RunningLanes> {
+        RunningLanes::of(&self.controller, &self.process, events)
     }
 
     /// Runs from `x0` at t0 to the end of the loop and hands over every sample, with the u that acts

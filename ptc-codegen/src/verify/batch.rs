@@ -61,9 +61,14 @@ impl InLanes {
         Some(Self { closed: Closed::Theorem(Box::new(sides)), observer: observer.in_lanes()? })
     }
 
-    /// `None` where the plant is not linear between samples.
-    pub(super) fn of_running(sampled: &Sampled, observer: &Observer) -> Option<Self> {
-        let closed = Closed::Running(Box::new(sampled.in_lanes()?));
+    /// `None` where integrals are asked for, or an objective does not run in lanes.
+    pub(super) fn of_running(
+        sampled: &Sampled,
+        observer: &Observer,
+        campaign: &Campaign,
+    ) -> Option<Self> {
+        let lanes = sampled.in_lanes(!campaign.events.is_empty())?;
+        let closed = Closed::Running(Box::new(lanes));
         Some(Self { closed, observer: observer.in_lanes()? })
     }
 
@@ -168,7 +173,7 @@ fn tracks<'a, S: LaneSide>(
             .look(instants, &mut |job, objective, excess| tracks[job].exceed(objective, excess));
         for (lane, job) in (0..).zip(&instants.jobs) {
             if let Some(job) = job {
-                let numbers = instants.x.iter().chain([instants.u]).map(|pack| pack.0[lane]);
+                let numbers = instants.x.iter().chain(instants.u).map(|pack| pack.0[lane]);
                 tracks[*job].push(numbers);
             }
         }

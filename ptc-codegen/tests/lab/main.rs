@@ -54,6 +54,7 @@ mod support;
 mod transcripts;
 #[path = "../support/verdicts.rs"]
 mod verdicts;
+mod verify_code_lanes;
 mod verify_command;
 mod verify_draws;
 mod verify_edges;

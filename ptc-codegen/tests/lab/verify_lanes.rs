@@ -5,8 +5,7 @@ use crate::support;
 use ptc_codegen::verify::{self, Campaign, Outcome, Setting, Trial};
 
 pub(crate) fn campaign(text: &str) -> Campaign {
-    let (spec, plant) = support::design(text);
-    let read = verify::read(&support::entries(text), &spec, &plant);
+    let read = verify::read_with_plant(&support::entries(text), &support::spec(text));
     read.unwrap_or_else(|wrong| panic!("{wrong:?}\n{text}"))
 }
 
@@ -77,7 +76,7 @@ fn a_scenario_has_the_same_bits_in_any_company() {
     }
 }
 
-fn in_any_company(campaign: &Campaign) {
+pub(crate) fn in_any_company(campaign: &Campaign) {
     let mut trial = Trial::new(campaign).expect("a loop");
     // Three packs of lanes and a part of one.
     let settings = settings(campaign, 27);
@@ -92,7 +91,7 @@ fn in_any_company(campaign: &Campaign) {
 }
 
 /// The worst difference from runs by themselves, as a part of each number, and whether no bit is another.
-fn beside(text: &str, count: u64) -> (f64, bool) {
+pub(crate) fn beside(text: &str, count: u64) -> (f64, bool) {
     let campaign = campaign(text);
     let mut trial = Trial::new(&campaign).expect("a loop");
     let settings = settings(&campaign, count);

@@ -133,9 +133,14 @@ impl Abreast {
         vectorized!(lanes.recall(read, &numbers[place * read.len()..]));
     }
 
-    /// The control from here on.
-    pub fn control(&mut self, control: &Pack) {
-        self.lanes.fill(self.control, control);
+    /// The inputs from here on. Several are variables behind so many states.
+    pub fn inputs(&mut self, states: usize, inputs: &[Pack]) {
+        for (register, u) in self.state.iter().skip(states).zip(inputs) {
+            self.lanes.fill(*register, u);
+        }
+        if let Some(u) = inputs.first() {
+            self.lanes.fill(self.control, u);
+        }
     }
 }
 

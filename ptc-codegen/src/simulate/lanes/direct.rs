@@ -96,7 +96,8 @@ impl LaneSide for DirectLanes {
 
     fn last(&mut self, at: &At, state: &[Pack], tick: Tick) -> [Pack; 2] {
         self.law.go(tick, &at.t, state);
-        self.motion.control(self.law.lanes.get(self.step));
+        let u = std::slice::from_ref(self.law.lanes.get(self.step));
+        self.motion.inputs(state.len(), u);
         self.motion.go(tick, &at.t, state);
         let own = self.motion.lanes.get(self.rate);
         let rate = Pack::of(|lane| at.time_to_go.0[lane] * own.0[lane]);

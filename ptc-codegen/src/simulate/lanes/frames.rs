@@ -17,10 +17,14 @@ pub(super) struct Frames<'a> {
     drawing: [Option<Frame<'a>>; LANES],
     /// Number of the next sample.
     pub(super) index: u32,
-    period: Pack,
+    pub(super) period: Pack,
     end: Pack,
     /// From where on a time counts as the end.
     nearly: Pack,
+    /// True if the end of a lane was chosen, and follows no deadline.
+    chosen: Which,
+    /// Part of a sample after which the next input takes over; `None` where it does at the samples.
+    part: Option<f64>,
     /// When the last sample was taken, after t0.
     now: Pack,
     /// The input gains of the plants.
@@ -41,6 +45,8 @@ impl<'a> Frames<'a> {
             period: none,
             end: none,
             nearly: none,
+            chosen: [false; LANES],
+            part: None,
             now: none,
             gain: Pack::all(1.0),
             u_step: none,
@@ -56,6 +62,8 @@ impl<'a> Frames<'a> {
         self.period.0[lane] = around.period;
         self.end.0[lane] = frame.end;
         self.nearly.0[lane] = frame.end * (1.0 - SAME);
+        self.chosen[lane] = around.until.is_some();
+        self.part = (!around.delay.is_whole()).then_some(frame.part);
         self.gain.0[lane] = frame.gain;
         self.u_step.0[lane] = around.u_step;
         let (jitters, senses) = (around.jitter > 0.0, !frame.exact);
@@ -71,6 +79,14 @@ impl<'a> Frames<'a> {
             pack.0[lane] = 0.0;
         }
         self.drawing[lane] = None;
+    }
+
+    /// Puts the end of the run of a lane off to a later deadline, unless its end was chosen.
+    pub(super) fn extend(&mut self, lane: usize, deadline: f64) {
+        if !self.chosen[lane] {
+            self.end.0[lane] = self.end.0[lane].max(deadline);
+            self.nearly.0[lane] = self.end.0[lane] * (1.0 - SAME);
+        }
     }
 
     /// The times of the next samples after t0, as the controllers have them, and whether each is the last one.
@@ -98,15 +114,16 @@ impl<'a> Frames<'a> {
     }
 
     /// The inputs as the actuators resolve them.
-    pub(super) fn actuated(&self, u: Pack) -> Pack {
+    pub(super) fn actuated(&self, u: &Pack) -> Pack {
         match self.resolves {
             true => Pack::of(|lane| quantised(u.0[lane], self.u_step.0[lane])),
-            false => u,
+            false => *u,
         }
     }
 
-    /// Goes on to the next samples: from where to where, after t0. No time is left where a lane does not run.
-    pub(super) fn next(&mut self) -> [Pack; 2] {
+    /// Goes on to the next samples: from where over the take-over of the next input to where, after t0. No time is left
+    /// where a lane does not run.
+    pub(super) fn next(&mut self) -> [Pack; 3] {
         let from = self.now;
         self.index += 1;
         let index = f64::from(self.index);
@@ -122,6 +139,12 @@ impl<'a> Frames<'a> {
         }
         let to = Pack::of(|lane| if last.0[lane] > 0.0 { self.end.0[lane] } else { to.0[lane] });
         self.now = to;
-        [from, to]
+        let over = match self.part {
+            Some(part) => {
+                Pack::of(|lane| to.0[lane].min(from.0[lane] + part * self.period.0[lane]))
+            }
+            None => to,
+        };
+        [from, over, to]
     }
 }

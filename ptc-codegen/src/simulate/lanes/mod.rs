@@ -9,6 +9,7 @@
 mod along;
 mod batch;
 mod collocation;
+mod controls;
 mod direct;
 mod explicit;
 mod flow;
@@ -17,6 +18,7 @@ mod plants;
 mod running;
 mod stretched;
 mod ticks;
+mod under;
 
 pub use along::Abreast;
 pub use direct::DirectLanes;
@@ -53,8 +55,8 @@ pub struct Instants<'a> {
     pub time_to_go: &'a Pack,
     /// State x_1..x_n of the plant.
     pub x: &'a [Pack],
-    /// Control u.
-    pub u: &'a Pack,
+    /// The inputs.
+    pub u: &'a [Pack],
 }
 
 /// Observer of the instants.

@@ -96,6 +96,7 @@ impl<'a> Lockstep<'a> {
             }
             let mut excess = |side: usize, u: &Pack| {
                 let own = &mut self.excess[side];
+                let u = std::slice::from_ref(u);
                 let instants = Instants { jobs, last, time_to_go: &at.time_to_go, x, u };
                 observer.look(&instants, &mut |lane, objective, excess| {
                     let kept: &mut f64 = &mut own[objective][lane];

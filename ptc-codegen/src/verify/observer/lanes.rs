@@ -99,7 +99,7 @@ impl LaneObserver {
     /// Computes the excess of each objective in each lane at an instant.
     pub(crate) fn excess(&mut self, instants: &Instants<'_>) -> &[Pack] {
         let Instants { last, time_to_go, x, u, .. } = instants;
-        self.along.control(u);
+        self.along.inputs(x.len(), u);
         self.along.at(time_to_go, x);
         let size = self.sizes(x);
         let Self { watched, along, excess, at_start, distances, .. } = self;
@@ -111,8 +111,10 @@ impl LaneObserver {
                     None => x.get(i).map_or(f64::NAN, |x| x.0[lane]),
                 };
                 let [size, size_at_start] = [size.0[lane], at_start.0[lane]];
-                // A lane has one input.
-                let seen = Seen { size, size_at_start, u: &[u.0[lane]], part: &part };
+                let mut own = [0.0; MAX_ORDER];
+                own.iter_mut().zip(*u).for_each(|(own, u)| *own = u.0[lane]);
+                let u = own.get(..u.len()).unwrap_or(&own);
+                let seen = Seen { size, size_at_start, u, part: &part };
                 watched.level(index, get, &seen, last[lane]).excess(kind)
             });
         }

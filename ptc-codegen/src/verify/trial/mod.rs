@@ -89,9 +89,7 @@ impl Trial {
                 let infinite = Continuous::of(&free, &plant)?;
                 InLanes::of_theorem((&infinite, &sides.1), &observer, campaign)
             }
-            Closed::Running(sampled) if !campaign.spec.has_model() => {
-                InLanes::of_running(sampled, &observer)
-            }
+            Closed::Running(sampled) => InLanes::of_running(sampled, &observer, campaign),
             _ => None,
         };
         let lanes = lanes.map(Box::new);

@@ -182,6 +182,7 @@ impl<'a, S: LaneSide, M: Steps> Batch<'a, S, M> {
             }
             let at = self.clock.at(&share);
             let (x, u) = self.side.tell(&at, &self.seen);
+            let u = std::slice::from_ref(u);
             see(&Instants { jobs, last, time_to_go: &at.time_to_go, x, u });
         }
     }
