@@ -230,6 +230,11 @@ impl Sampled {
         self.observer.is_some()
     }
 
+    /// Returns true if a reading that is not believed leaves the estimates as they are predicted.
+    pub fn coasts(&self) -> bool {
+        self.observer.as_ref().is_some_and(|observer| observer.gate.coasts())
+    }
+
     /// The number of the first state that an observer estimates: of a chain the last one measured.
     pub fn first_estimated(&self) -> usize {
         if self.linear.is_some() { 1 } else { self.measured }

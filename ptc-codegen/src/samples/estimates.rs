@@ -44,7 +44,7 @@ impl Builder<'_> {
         }
         let power = |j: usize| pair.powers[j];
         body.extend(self.prediction(&pair));
-        body.push(Statement::Note(match self.coasts() {
+        body.push(Statement::Note(match self.sampled.coasts() {
             true => "Correct by what is measured, where it is believed.".to_owned(),
             false => "Correct by what is measured.".to_owned(),
         }));

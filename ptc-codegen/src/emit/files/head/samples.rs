@@ -235,7 +235,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
     lines.extend(sampled.observer.iter().flat_map(gate));
     lines.extend(flight::lines(spec, sampled));
     lines.push(time::limits_of_u(spec, "Clipping voids the deadline where it lasts."));
-    let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
+    let coasts = sampled.coasts();
     let given = match (spec.references(), coasts) {
         (0, false) => ["what is measured is finite", "measurements"],
         (_, false) => {
