@@ -47,8 +47,11 @@ pub(super) fn estimates(spec: &Spec) -> Vec<(String, String)> {
         let about = format!("Estimate of the state x{}", &name["xhat".len()..]);
         (name, about)
     });
-    let disturbance = ("d".to_owned(), "Estimate of the constant that is added to u".to_owned());
-    states.chain(sampled.disturbance.then_some(disturbance)).collect()
+    let disturbance = sampled
+        .disturbance
+        .as_ref()
+        .map(|own| ("d".to_owned(), format!("Estimate of the {} that is added to u", own.about())));
+    states.chain(disturbance).collect()
 }
 
 impl Variable {
