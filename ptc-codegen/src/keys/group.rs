@@ -14,7 +14,7 @@ pub struct Group {
 }
 
 /// All groups, in the order in which they are listed.
-pub static GROUPS: [Group; 6] = [
+pub static GROUPS: [Group; 7] = [
     Group {
         title: "Code",
         common: &["name", "precision"],
@@ -71,6 +71,11 @@ pub static GROUPS: [Group; 6] = [
             "measurement_max",
             "coast",
         ],
+    },
+    Group {
+        title: "Robot",
+        common: &["urdf"],
+        rare: &["base", "tip", "gravity"],
     },
     Group {
         title: "Checks",

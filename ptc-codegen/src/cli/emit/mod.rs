@@ -1,6 +1,7 @@
 //! `emit`: the source of a controller, to files, to the standard output, or compared with files.
 
 mod args;
+mod robot;
 
 use std::path::Path;
 
@@ -49,6 +50,9 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         source.give("precision", "f32");
     }
     let given = source.parse();
+    if crate::robot::request::is_described(&given.entries) {
+        return robot::emit(request, &mut outputs, &source, &given);
+    }
     let mut spec = given.read()?;
     let expanded = request.engine.engine.prepare(&mut spec)?;
     let dump = |pass: &str| crate::accepted::dump(&spec, expanded.as_ref(), pass);

@@ -87,6 +87,9 @@ impl C<'_> {
         ));
         self.out.open(format!("typedef struct {name} {{"));
         self.members(&code.fields);
+        if code.fields.is_empty() {
+            self.out.line("char none; /* every number is fixed */");
+        }
         self.out.close(format!("}} {name};\n"));
         if !code.gains.is_empty() {
             self.out.line("/* Feedback gains at one time. */");

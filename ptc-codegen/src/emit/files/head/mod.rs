@@ -10,6 +10,7 @@ mod formulas;
 mod observed;
 mod plant;
 mod precision;
+mod robot;
 mod samples;
 mod time;
 
@@ -19,6 +20,7 @@ pub(super) use plant::{chain, in_samples as plant_in_samples};
 #[cfg(feature = "lab")]
 pub(super) use samples::law as law_in_samples;
 pub(super) use samples::{formulas as formulas_in_samples, lines as lines_in_samples};
+pub(super) use robot::lines as lines_of_robot;
 pub(super) use time::lines;
 
 use super::declared;
