@@ -470,8 +470,8 @@ pub static KEYS: [KeyInfo; 79] = [
     },
     KeyInfo {
         key: "tip",
-        meaning: "link at the end of a robot's chain; joints that do not move it are held at position 0; with urdf",
-        legal: "the name of a link; by default the robot is all that the base carries",
+        meaning: "links at the ends of a robot; joints that move none of them are held at position 0; with urdf",
+        legal: "the name of a link, or several; by default the robot is all that the base carries",
         example: "hand",
     },
     KeyInfo {
@@ -502,7 +502,8 @@ pub static KEYS: [KeyInfo; 79] = [
 
 /// Keys whose names parameters may have too: the keys of a model, and the capitals that plants are full of.
 pub const PARAMETERS_TOO: [&str; 12] = [
-    "inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C", "urdf", "base", "tip", "gravity",
+    "inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C", "urdf", "base", "tip",
+    "gravity",
 ];
 
 /// The functions of a robot: further values of `what`.

@@ -68,7 +68,10 @@ fn function(request: &Request, robot: &Robot, quantity: Quantity) -> Function {
         about: quantity.about(robot),
         owner: Owner::Controller,
         access: Access::Read,
-        arguments: given.iter().map(|(name, about)| Variable::new(*name, Shape::Reals(n), *about)).collect(),
+        arguments: given
+            .iter()
+            .map(|(name, about)| Variable::new(*name, Shape::Reals(n), *about))
+            .collect(),
         callbacks: Vec::new(),
         results: vec![Variable::new(result, Shape::Reals(quantity.size(n)), about)],
         failures: match request.guard {

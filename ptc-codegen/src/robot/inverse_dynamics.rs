@@ -37,7 +37,12 @@ impl Wrench {
 }
 
 /// The forces of the joints that give these accelerations.
-pub(super) fn forces(tape: &mut Tape, model: &Model, joints: &Joints, gravity: &[BigRational; 3]) -> Vec<Term> {
+pub(super) fn forces(
+    tape: &mut Tape,
+    model: &Model,
+    joints: &Joints,
+    gravity: &[BigRational; 3],
+) -> Vec<Term> {
     let base = Movement {
         turning: zero(),
         angular: zero(),
@@ -68,11 +73,16 @@ pub(super) fn forces(tape: &mut Tape, model: &Model, joints: &Joints, gravity: &
 }
 
 /// The motion of a body from that of its parent.
-fn moved(tape: &mut Tape, body: &Body, joints: &Joints, (index, parent): (usize, &Movement)) -> Movement {
+fn moved(
+    tape: &mut Tape,
+    body: &Body,
+    joints: &Joints,
+    (index, parent): (usize, &Movement),
+) -> Movement {
     let rotation = known_matrix(&body.placement.rotation);
     let shift = tape.apply(&parent.field, &known(&body.placement.origin));
     let linear = tape.add_vectors(&parent.linear, &shift);
-    let mut into = |tape: &mut Tape, vector: &Vector| {
+    let into = |tape: &mut Tape, vector: &Vector| {
         let fixed = tape.apply_transposed(&rotation, vector);
         match joints.turn(index) {
             Some(turn) => tape.turn_back(turn, &fixed),
@@ -148,7 +158,12 @@ fn wrench(tape: &mut Tape, movement: &Movement, inertia: &Inertia) -> Wrench {
 }
 
 /// Force and moment of a body on its parent, in the frame of the parent.
-fn carried(tape: &mut Tape, body: &Body, joints: &Joints, (index, own): (usize, &Wrench)) -> Wrench {
+fn carried(
+    tape: &mut Tape,
+    body: &Body,
+    joints: &Joints,
+    (index, own): (usize, &Wrench),
+) -> Wrench {
     let rotation = known_matrix(&body.placement.rotation);
     let mut own = own.clone();
     if body.motion == Motion::Prismatic {
@@ -160,7 +175,7 @@ fn carried(tape: &mut Tape, body: &Body, joints: &Joints, (index, own): (usize, 
         ];
         own.moment = tape.add_vectors(&own.moment, &lever);
     }
-    let mut out = |tape: &mut Tape, vector: &Vector| {
+    let out = |tape: &mut Tape, vector: &Vector| {
         let before = match joints.turn(index) {
             Some(turn) => tape.turn(turn, vector),
             None => vector.clone(),

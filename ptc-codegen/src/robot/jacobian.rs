@@ -49,7 +49,11 @@ pub(super) fn entries(tape: &mut Tape, bodies: &[Body], tip: &Tip, joints: &Join
 }
 
 /// A frame of a body in the base; the body is the base where there is none.
-fn placed(tape: &mut Tape, pose: Option<&Pose>, Placement { rotation, origin }: &Placement) -> Pose {
+fn placed(
+    tape: &mut Tape,
+    pose: Option<&Pose>,
+    Placement { rotation, origin }: &Placement,
+) -> Pose {
     let Some(pose) = pose else {
         return Pose { rotation: known_matrix(rotation), origin: known(origin) };
     };

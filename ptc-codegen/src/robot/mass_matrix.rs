@@ -134,12 +134,11 @@ fn turned(tape: &mut Tape, Turn { cosine, sine }: &Turn, second: &Matrix) -> Mat
     let last = tape.sub(xx, &moved);
     let cosine_of_twice = tape.sub(&twice_square, &Term::from(&crate::algebra::integer(1)));
     let mixed = tape.products(&[(&product, &differ), (&cosine_of_twice, xy)]);
-    let [x, y, _] = tape.turn(&Turn { cosine: cosine.clone(), sine: sine.clone() }, &[xz.clone(), yz.clone(), Term::zero()]);
-    [
-        [first, mixed.clone(), x.clone()],
-        [mixed, last, y.clone()],
-        [x, y, zz.clone()],
-    ]
+    let [x, y, _] = tape.turn(
+        &Turn { cosine: cosine.clone(), sine: sine.clone() },
+        &[xz.clone(), yz.clone(), Term::zero()],
+    );
+    [[first, mixed.clone(), x.clone()], [mixed, last, y.clone()], [x, y, zz.clone()]]
 }
 
 /// A force and a moment of a body in the frame of its parent, about the origin there.

@@ -72,11 +72,19 @@ impl Quantity {
     /// Describes the function in a sentence.
     pub(super) fn about(self, robot: &Robot) -> String {
         match self {
-            Self::InverseDynamics => "Torques with which the joints at q and v have the accelerations a.".to_owned(),
-            Self::MassMatrix => "Mass matrix M at q: the torques are M a and what does not depend on a.".to_owned(),
+            Self::InverseDynamics => {
+                "Torques with which the joints at q and v have the accelerations a.".to_owned()
+            }
+            Self::MassMatrix => {
+                "Mass matrix M at q: the torques are M a and what does not depend on a.".to_owned()
+            }
             Self::Jacobian => {
                 let tip = robot.tip.as_ref().map_or("", |tip| tip.link.as_str());
-                format!("Jacobian at q of the origin of `{}`, in the axes of `{}`.", plain(tip), plain(&robot.base))
+                format!(
+                    "Jacobian at q of the origin of `{}`, in the axes of `{}`.",
+                    plain(tip),
+                    plain(&robot.base)
+                )
             }
         }
     }
@@ -145,9 +153,11 @@ impl<'a> Reader<'a> {
         }
         let quantities = self.quantities();
         let gravity = self.gravity();
-        let word = |key| self.entry(key).map(|entry| entry.value.value.to_string());
-        let ends = Ends { base: word("base"), tip: word("tip") };
-        let precision = self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
+        let base = self.entry("base").map(|entry| entry.value.value.to_string());
+        let tips = self.entry("tip").map(|entry| names(&entry.value)).unwrap_or_default();
+        let ends = Ends { base, tips };
+        let precision =
+            self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
         let guard = [("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)];
         let guard = self.choice("guard", &guard);
         let fma = self.choice("fma", &[("true", true), ("false", false)]);
@@ -168,7 +178,13 @@ impl<'a> Reader<'a> {
         self.entries.iter().find(|entry| entry.key == key)
     }
 
-    fn wrong(&mut self, key: &str, place: Place, message: impl Into<String>, help: impl Into<String>) {
+    fn wrong(
+        &mut self,
+        key: &str,
+        place: Place,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
         self.found.push("bad-value", key, Some(place), message, help);
     }
 
@@ -178,10 +194,19 @@ impl<'a> Reader<'a> {
             let key = entry.key.as_str();
             if self.entries[..index].iter().any(|other| other.key == key) {
                 let message = format!("key `{key}` is given twice");
-                self.found.push("repeated-key", key, Some(entry.place), message, "leave one of the two out");
+                self.found.push(
+                    "repeated-key",
+                    key,
+                    Some(entry.place),
+                    message,
+                    "leave one of the two out",
+                );
             } else if !KEYS.contains(&key) {
                 let message = format!("`{key}` beside `urdf`");
-                let help = format!("the functions of a robot have no law; their keys are {}", KEYS.join(", "));
+                let help = format!(
+                    "the functions of a robot have no law; their keys are {}",
+                    KEYS.join(", ")
+                );
                 self.found.push("conflict", key, Some(entry.place), message, help);
             }
         }
@@ -228,7 +253,8 @@ impl<'a> Reader<'a> {
         let vector = numbers.and_then(|own| <[BigRational; 3]>::try_from(own).ok());
         if vector.is_none() {
             let message = format!("gravity = {}", entry.value.value);
-            let help = "give three numbers in m/s^2 along the axes of the base, for example 0, 0, -9.81";
+            let help =
+                "give three numbers in m/s^2 along the axes of the base, for example 0, 0, -9.81";
             self.wrong("gravity", entry.value.place, message, help);
         }
         vector
@@ -271,6 +297,14 @@ fn hyphenated(node: &Node) -> String {
     }
 }
 
+/// The names in a list, or in a text with commas.
+fn names(node: &Node) -> Vec<String> {
+    match &node.value {
+        Value::List(items) => items.iter().flat_map(names).collect(),
+        other => other.to_string().split(',').map(|name| name.trim().to_owned()).collect(),
+    }
+}
+
 fn known(node: &Node) -> Option<BigRational> {
     match &node.value {
         Value::Number(own @ Fixed::Number { .. }) => own.number().cloned(),
@@ -282,7 +316,10 @@ impl Request {
     /// The command line (without the program's name and `--lang`) that gives the functions.
     pub fn command(&self) -> String {
         let quantities: Vec<_> = self.quantities.iter().map(|own| own.word()).collect();
-        let quoted = |text: &str| match text.chars().all(|c| c.is_ascii_alphanumeric() || "_-./".contains(c)) {
+        let quoted = |text: &str| match text
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || "_-./,".contains(c))
+        {
             true => text.to_owned(),
             false => format!("\"{text}\""),
         };
@@ -291,7 +328,8 @@ impl Request {
             format!("--urdf {}", quoted(&self.urdf)),
         ];
         words.extend(self.ends.base.iter().map(|base| format!("--base {}", quoted(base))));
-        words.extend(self.ends.tip.iter().map(|tip| format!("--tip {}", quoted(tip))));
+        let tips = self.ends.tips.join(",");
+        words.extend((!tips.is_empty()).then(|| format!("--tip {}", quoted(&tips))));
         let gravity: Vec<_> = self.gravity.iter().map(constant::text).collect();
         words.push(format!("--gravity={}", gravity.join(",")));
         words.extend(self.name.iter().map(|name| format!("--name {name}")));
@@ -339,8 +377,14 @@ impl Request {
         }
         let needs_tip = self.quantities.contains(&Quantity::Jacobian);
         if needs_tip && robot.as_ref().is_some_and(|robot| robot.tip.is_none()) {
-            let message = "the Jacobian needs `tip`: the robot has several ends";
-            found.push("missing-key", "tip", None, message, "give the link whose motion it describes");
+            let message = "the Jacobian needs one `tip`: the robot has several ends";
+            found.push(
+                "missing-key",
+                "tip",
+                None,
+                message,
+                "give the link whose motion it describes",
+            );
         }
         found.finish(robot)
     }

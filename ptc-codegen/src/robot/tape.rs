@@ -138,9 +138,10 @@ impl Tape {
         match (a, b) {
             (Term::Known(a), Term::Known(b)) => Term::Known(a + b),
             (zero, other) | (other, zero) if zero.is_zero() => other.clone(),
-            (Term::Value { negative: true, value: x }, Term::Value { negative: true, value: y }) => {
-                -self.sum(*x, *y)
-            }
+            (
+                Term::Value { negative: true, value: x },
+                Term::Value { negative: true, value: y },
+            ) => -self.sum(*x, *y),
             (Term::Value { negative: true, value }, other) => {
                 let (a, b) = (self.value(other), *value);
                 self.difference(a, b)
@@ -203,7 +204,9 @@ impl Tape {
         if number.is_one() {
             return other.clone();
         }
-        let Term::Value { negative, value } = other else { return self.mul(other, &Term::from(number)) };
+        let Term::Value { negative, value } = other else {
+            return self.mul(other, &Term::from(number));
+        };
         let number = self.write(Op::Number(number.clone()));
         let value = self.write(Op::Mul(number, *value));
         Term::Value { negative: *negative, value }

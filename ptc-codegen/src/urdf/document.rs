@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use num_traits::{Signed, Zero};
 use roxmltree::{Node, ParsingOptions};
 
+use super::Wrong;
 use super::angle::Angle;
 use super::geometry::{Placement, Vector, roll_pitch_yaw};
 use super::inertia::Inertia;
-use super::Wrong;
 use crate::algebra::{BigRational, integer};
 use crate::limits::URDF_ELEMENTS;
 use crate::syntax::number;
@@ -116,7 +116,11 @@ fn link(element: Node<'_, '_>, name: &str) -> Result<Link, Wrong> {
     let needed = |tag: &str| {
         child(inertial, tag).ok_or_else(|| {
             let message = format!("the inertia of link `{name}` has no <{tag}>");
-            wrong(inertial, message, "give <mass value=\"..\"/> and <inertia ixx=\"..\" ../>, or no <inertial>")
+            wrong(
+                inertial,
+                message,
+                "give <mass value=\"..\"/> and <inertia ixx=\"..\" ../>, or no <inertial>",
+            )
         })
     };
     let mass_element = needed("mass")?;
@@ -201,7 +205,8 @@ fn numbers(node: Node<'_, '_>, key: &str) -> Result<Vector, Wrong> {
 }
 
 fn three_numbers(node: Node<'_, '_>, key: &str, text: &str) -> Wrong {
-    let message = format!("{key} = \"{text}\" of <{}> is not three numbers", node.tag_name().name());
+    let message =
+        format!("{key} = \"{text}\" of <{}> is not three numbers", node.tag_name().name());
     wrong(node, message, "give three decimal numbers, for example \"0 0 0.333\"")
 }
 

@@ -128,9 +128,12 @@ mod tests {
             }
             let z: Vector = from_fn(|i| matrix[i][2].clone());
             let along: BigRational = z.iter().zip(axis).map(|(z, own)| z * integer(own)).sum();
-            assert!(along.is_positive() && cross(&z, &axis.map(integer)).iter().all(|own| {
-                own.abs() < integer(1) / integer(1 << 60)
-            }));
+            assert!(
+                along.is_positive()
+                    && cross(&z, &axis.map(integer))
+                        .iter()
+                        .all(|own| { own.abs() < integer(1) / integer(1 << 60) })
+            );
         }
         assert_eq!(toward(&zero()), None);
     }

@@ -2,9 +2,9 @@
 
 use std::array::from_fn;
 
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
-use super::geometry::{Matrix, Placement, Vector, product, sum, times, transposed, unit, zero};
+use super::geometry::{Matrix, Placement, Vector, product, sum, times, transposed, zero};
 use crate::algebra::{BigRational, integer};
 
 /// The inertia of a body about the origin of a frame. All of it is linear in the density, so bodies add up.
@@ -83,6 +83,9 @@ pub(super) fn turned(rotation: Matrix) -> Placement {
 
 #[cfg(test)]
 mod tests {
+    use num_traits::One;
+
+    use super::super::geometry::unit;
     use super::*;
 
     #[test]

@@ -38,8 +38,8 @@ impl Wrong {
 pub struct Ends {
     /// Link that does not move; `None` for the root of the file.
     pub base: Option<String>,
-    /// Link at the end of a chain; `None` for all that the base carries.
-    pub tip: Option<String>,
+    /// Links at the ends of chains; empty for all that the base carries.
+    pub tips: Vec<String>,
 }
 
 /// Motion of a joint.

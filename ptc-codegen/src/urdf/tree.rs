@@ -24,11 +24,13 @@ struct Tree<'a> {
 pub(super) fn robot(document: &Document, ends: &Ends) -> Result<Robot, Wrong> {
     let tree = Tree::of(document)?;
     let base = tree.link(ends.base.as_deref().unwrap_or(tree.root), "base")?;
-    let way = match ends.tip.as_deref() {
-        Some(tip) => Some(tree.way(base, tree.link(tip, "tip")?)?),
-        None => None,
-    };
-    let mut assembly = Assembly { tree: &tree, way, places: BTreeMap::new(), robot: empty(document, base) };
+    let mut way = None;
+    for tip in &ends.tips {
+        let joints = tree.way(base, tree.link(tip, "tip")?)?;
+        way.get_or_insert_with(BTreeSet::new).extend(joints);
+    }
+    let mut assembly =
+        Assembly { tree: &tree, way, places: BTreeMap::new(), robot: empty(document, base) };
     assembly.assemble(base)?;
     let mut robot = assembly.robot;
     if !URDF_JOINTS.admits(robot.bodies.len()) {
@@ -37,11 +39,15 @@ pub(super) fn robot(document: &Document, ends: &Ends) -> Result<Robot, Wrong> {
     }
     if robot.bodies.is_empty() {
         let message = format!("no joint moves between `{base}` and its end");
-        return Err(Wrong::whole(message, "give `base` and `tip` with a revolute, continuous or prismatic joint between them"));
+        return Err(Wrong::whole(
+            message,
+            "give `base` and `tip` with a revolute, continuous or prismatic joint between them",
+        ));
     }
-    let tip = match ends.tip.as_deref() {
-        Some(tip) => Some(tip),
-        None => tree.only_end(base),
+    let tip = match ends.tips.as_slice() {
+        [] => tree.only_end(base),
+        [tip] => Some(tip.as_str()),
+        _ => None,
     };
     robot.tip = tip.and_then(|link| {
         let (body, placement) = assembly.places.get(link)?.clone();
@@ -78,21 +84,37 @@ impl<'a> Tree<'a> {
                     "link `{}` is moved by `{}` and by `{}`: a loop",
                     joint.child, other.name, joint.name
                 );
-                return Err(at(joint, message, "URDF describes trees: leave out one of the joints, or cut the loop"));
+                return Err(at(
+                    joint,
+                    message,
+                    "URDF describes trees: leave out one of the joints, or cut the loop",
+                ));
             }
             below.entry(&joint.parent).or_default().push(joint);
         }
-        let roots: Vec<_> = links.keys().filter(|link| !above.contains_key(*link)).copied().collect();
+        let roots: Vec<_> =
+            links.keys().filter(|link| !above.contains_key(*link)).copied().collect();
         let root = match roots.as_slice() {
             [root] => root,
-            [] => return Err(match document.joints.first() {
-                Some(joint) => at(joint, "every link is moved by a joint: a loop", "leave out a joint, so that one link is the root"),
-                None => Wrong::whole("there is no link", "give a URDF file with links and joints"),
-            }),
+            [] => {
+                return Err(match document.joints.first() {
+                    Some(joint) => at(
+                        joint,
+                        "every link is moved by a joint: a loop",
+                        "leave out a joint, so that one link is the root",
+                    ),
+                    None => {
+                        Wrong::whole("there is no link", "give a URDF file with links and joints")
+                    }
+                });
+            }
             several => {
                 let names = several.join(", ");
                 let message = format!("no joint connects the links {names}");
-                return Err(Wrong::whole(message, "connect all links to one tree, for example by fixed joints"));
+                return Err(Wrong::whole(
+                    message,
+                    "connect all links to one tree, for example by fixed joints",
+                ));
             }
         };
         let tree = Self { links, above, below, root };
@@ -125,7 +147,10 @@ impl<'a> Tree<'a> {
         }
         let help = match near_miss(name, self.links.keys().copied()) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => format!("the links are {}", self.links.keys().copied().collect::<Vec<_>>().join(", ")),
+            None => format!(
+                "the links are {}",
+                self.links.keys().copied().collect::<Vec<_>>().join(", ")
+            ),
         };
         Err(Wrong::whole(format!("there is no link `{name}`, which `{key}` names"), help))
     }
@@ -137,7 +162,10 @@ impl<'a> Tree<'a> {
         while link != base {
             let Some(joint) = self.above.get(link) else {
                 let message = format!("`{tip}` is not carried by `{base}`");
-                return Err(Wrong::whole(message, "give as `base` a link between the root and `tip`"));
+                return Err(Wrong::whole(
+                    message,
+                    "give as `base` a link between the root and `tip`",
+                ));
             };
             way.insert(joint.name.as_str());
             link = &joint.parent;
@@ -203,7 +231,11 @@ impl<'a> Assembly<'a> {
             kind @ (Kind::Floating | Kind::Planar) => {
                 let kind = if kind == Kind::Floating { "floating" } else { "planar" };
                 let message = format!("joint `{}` is {kind}, which is not supported", joint.name);
-                return Err(at(joint, message, "legal: revolute, continuous, prismatic and fixed; give as `base` a link behind it"));
+                return Err(at(
+                    joint,
+                    message,
+                    "legal: revolute, continuous, prismatic and fixed; give as `base` a link behind it",
+                ));
             }
         };
         if self.way.as_ref().is_some_and(|way| !way.contains(joint.name.as_str())) {
@@ -211,8 +243,13 @@ impl<'a> Assembly<'a> {
             return Ok(None);
         }
         if let Some(other) = &joint.mimics {
-            let message = format!("joint `{}` mimics `{other}`, which is not supported", joint.name);
-            return Err(at(joint, message, "give as `tip` a link before it, and it is held at position 0, or leave <mimic> out"));
+            let message =
+                format!("joint `{}` mimics `{other}`, which is not supported", joint.name);
+            return Err(at(
+                joint,
+                message,
+                "give as `tip` a link before it, and it is held at position 0, or leave <mimic> out",
+            ));
         }
         Ok(Some(motion))
     }

@@ -1,6 +1,7 @@
 //! `emit` of a robot: its functions.
 
-use super::{Emit, place};
+use super::args::Emit;
+use super::destination::place;
 use crate::cli::output::Outputs;
 use crate::cli::read;
 use crate::cli::report::Failure;

@@ -31,7 +31,10 @@ pub(in crate::emit) fn lines(request: &Request, robot: &Robot, language: Languag
         ),
     ];
     if !robot.held.is_empty() {
-        rest.push(format!("Held at position 0: {}.", listed(robot.held.iter().map(String::as_str))));
+        rest.push(format!(
+            "Held at position 0: {}.",
+            listed(robot.held.iter().map(String::as_str))
+        ));
     }
     if request.quantities.contains(&Quantity::InverseDynamics) {
         rest.push(
