@@ -11,7 +11,7 @@ use ptc_codegen::diagnostic::Place;
 use ptc_codegen::emit::{Language, emit_robot};
 use ptc_codegen::parameter::Precision;
 use ptc_codegen::request::Entry;
-use ptc_codegen::robot::{Request, code, request};
+use ptc_codegen::robot::{self, Request, code};
 use ptc_codegen::syntax::parse;
 use ptc_codegen::urdf::Robot;
 use support::folder;
@@ -48,7 +48,7 @@ fn reference(precision: &str) -> (Request, Robot, Vec<f64>) {
         place: Place(0),
         value: parse(key, text, &mut |_| Place(0)).expect("a value"),
     };
-    let request = request::read(&pairs.map(entry)).expect("a request");
+    let request = robot::read(&pairs.map(entry)).expect("a request");
     let robot = request.robot(ARM).expect("a robot");
     let mut arm = Instance::new(&code(&request, &robot), &[]).expect("no parameters");
     let given = [("q", Q.as_slice()), ("v", V.as_slice()), ("a", A.as_slice())];

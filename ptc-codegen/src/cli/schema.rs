@@ -1,8 +1,7 @@
 //! `schema`: a JSON schema of design files, from the tables of keys.
 
-use crate::keys::ROBOT_FUNCTIONS;
 use crate::keys::verify::{self, INITIAL_STATE, PARAMETER};
-use crate::keys::{KEYS, KeyInfo, TABLES, TableInfo};
+use crate::keys::{KEYS, KeyInfo, ROBOT_FUNCTIONS, TABLES, TableInfo};
 use crate::syntax::number;
 use serde_json::{Map, Value, json};
 
@@ -98,8 +97,7 @@ fn key(info: &KeyInfo) -> Value {
     match info.legal.split_once(';').filter(|_| info.key == "what") {
         Some((one, _)) => {
             let one: Vec<_> = words(one).into_iter().flatten().collect();
-            let any: Vec<_> =
-                one.iter().map(String::as_str).chain(ROBOT_FUNCTIONS).collect();
+            let any: Vec<_> = one.iter().map(String::as_str).chain(ROBOT_FUNCTIONS).collect();
             let several = json!({ "type": "array", "items": { "enum": ROBOT_FUNCTIONS } });
             key["anyOf"] = json!([{ "enum": any }, several]);
         }

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::request::{Quantity, Request};
-use super::staged;
+use super::{Quantity, Request, staged};
 use crate::code::{
     Access, Code, Expr, Finish, Function, Owner, Shape, Statement, Status, Test, Variable,
 };

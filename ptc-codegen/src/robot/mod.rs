@@ -1,20 +1,24 @@
 //! Functions of a robot from its URDF: inverse dynamics, the mass matrix, the Jacobian of the tip.
 //!
 //! Each is one staged program, in which the numbers of the robot are folded, and becomes a function of [`Code`] that
-//! every back end prints. [`request`] reads what a design asks for, [`code`] makes the functions.
+//! every back end prints. [`read()`] gives what a design asks for, [`code`] makes the functions.
 
 mod functions;
 mod inverse_dynamics;
 mod jacobian;
 mod mass_matrix;
 mod model;
-pub mod request;
+mod quantity;
+mod read;
+mod request;
 mod tape;
 mod vector;
 
 pub use functions::code;
-pub(crate) use request::plain;
-pub use request::{Quantity, Request};
+pub use quantity::Quantity;
+pub(crate) use quantity::plain;
+pub use read::{is_described, read};
+pub use request::Request;
 
 use crate::internal::fault;
 use crate::program::Program;

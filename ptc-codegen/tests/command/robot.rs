@@ -79,7 +79,7 @@ fn what_is_of_controllers_is_refused() {
             "error[conflict]: a robot has functions, and no controller yet",
         ),
         (
-            vec!["simulate", "designs/pendulum.toml"],
+            vec!["simulate", "designs/pendulum.toml", "--x0", "1"],
             "error[conflict]: a robot has functions, and no controller yet",
         ),
         (

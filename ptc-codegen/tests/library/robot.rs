@@ -3,7 +3,7 @@
 use ptc_codegen::code::{Instance, Status};
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::request::Entry;
-use ptc_codegen::robot::{code, request};
+use ptc_codegen::robot::{self, code};
 use ptc_codegen::syntax::parse;
 use ptc_codegen::urdf::Robot;
 
@@ -299,7 +299,7 @@ fn entries(pairs: &[(&str, &str)]) -> Vec<Entry> {
 fn functions(text: &str, keys: &[(&str, &str)]) -> (Instance, Robot) {
     let all = [&[("urdf", "test.urdf"), ("what", "inverse-dynamics, mass-matrix, jacobian")], keys]
         .concat();
-    let request = request::read(&entries(&all)).expect("a request");
+    let request = robot::read(&entries(&all)).expect("a request");
     let robot = request.robot(text).expect("a robot");
     let code = code(&request, &robot);
     (Instance::new(&code, &[]).expect("no parameters"), robot)
@@ -321,7 +321,7 @@ fn a_tree_obeys_lagranges_equations() {
         let all = [&keys[..], &[("what", "inverse-dynamics, mass-matrix")]].concat();
         let mut given = vec![("urdf", "test.urdf")];
         given.extend(all);
-        let request = request::read(&entries(&given)).expect("a request");
+        let request = robot::read(&entries(&given)).expect("a request");
         let robot = request.robot(&urdf(&joints)).expect("a robot");
         let mut arm = Instance::new(&code(&request, &robot), &[]).expect("no parameters");
         let mut state = 1;
@@ -424,7 +424,7 @@ fn refused(from: &str, to: &str, keys: &[(&str, &str)]) -> String {
     let text = urdf(&tree());
     assert!(text.contains(from), "{from}");
     let given = [&[("urdf", "test.urdf"), ("what", "inverse-dynamics")], keys].concat();
-    let request = request::read(&entries(&given)).expect("a request");
+    let request = robot::read(&entries(&given)).expect("a request");
     let found = request.robot(&text.replacen(from, to, 1)).expect_err("a mistake");
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(!found[0].help.is_empty());
@@ -533,7 +533,7 @@ fn a_body_without_inertia_is_refused_by_its_joint() {
     let text = format!("{}{}", &text[..start], &text[end..]);
     let of = |what: &str| {
         let request =
-            request::read(&entries(&[("urdf", "test.urdf"), ("what", what)])).expect("a request");
+            robot::read(&entries(&[("urdf", "test.urdf"), ("what", what)])).expect("a request");
         request.robot(&text)
     };
     let found = of("mass-matrix").expect_err("no inertia");
@@ -550,7 +550,7 @@ fn mistakes_of_a_request_are_reported_at_once() {
         ("n", "3"),
         ("guard", "half"),
     ];
-    let found = request::read(&entries(&given)).expect_err("mistakes");
+    let found = robot::read(&entries(&given)).expect_err("mistakes");
     let messages: Vec<_> = found.iter().map(|own| own.message.as_str()).collect();
     assert_eq!(
         messages,
@@ -562,6 +562,6 @@ fn mistakes_of_a_request_are_reported_at_once() {
         ]
     );
     assert_eq!(found[1].help, "did you mean inverse-dynamics?");
-    let found = request::read(&entries(&[("urdf", "a.urdf")])).expect_err("no function");
+    let found = robot::read(&entries(&[("urdf", "a.urdf")])).expect_err("no function");
     assert_eq!(found[0].code, "missing-key");
 }

@@ -49,7 +49,7 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         source.give("precision", "f32");
     }
     let given = source.parse();
-    if crate::robot::request::is_described(&given.entries) {
+    if crate::robot::is_described(&given.entries) {
         return robot::emit(request, &mut outputs, &source, &given);
     }
     let mut spec = given.read()?;

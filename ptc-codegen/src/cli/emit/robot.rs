@@ -9,7 +9,7 @@ use crate::cli::source::{Parsed, Source};
 use crate::diagnostic::Diagnostic;
 use crate::emit::{File, Language, emit_robot};
 use crate::limits::URDF;
-use crate::robot::{Request, request};
+use crate::robot::{self, Request};
 
 /// Runs `emit` of a robot.
 pub(super) fn emit(
@@ -19,7 +19,7 @@ pub(super) fn emit(
     parsed: &Parsed<'_>,
 ) -> Result<(), Failure> {
     beside_functions(given)?;
-    let wanted = match request::read(&parsed.entries) {
+    let wanted = match robot::read(&parsed.entries) {
         Ok(wanted) => parsed.finish(Some(wanted), Vec::new())?,
         Err(found) => return parsed.finish(None, found),
     };
