@@ -116,9 +116,9 @@ int main()
     ptc::Arm own;
     if (own.init({}) != ptc::Status::Ok) { return 1; }
     const std::array<double, 3> q{{Q}}, v{{V}}, a{{A}};
-    for (auto value : own.inverse_dynamics(q, v, a).value) { std::printf("%.17g ", static_cast<double>(value)); }
-    for (auto value : own.mass_matrix(q).value) { std::printf("%.17g ", static_cast<double>(value)); }
-    for (auto value : own.jacobian(q).value) { std::printf("%.17g ", static_cast<double>(value)); }
+    for (auto value : own.inverse_dynamics(q, v, a).value) { std::printf("%.17g ", static_cast<decltype(1.0)>(value)); }
+    for (auto value : own.mass_matrix(q).value) { std::printf("%.17g ", static_cast<decltype(1.0)>(value)); }
+    for (auto value : own.jacobian(q).value) { std::printf("%.17g ", static_cast<decltype(1.0)>(value)); }
     return 0;
 }
 "#;

@@ -26,7 +26,8 @@ struct Joint {
 
 const GRAVITY: Vector<f64> = [0.4, -1.1, -9.7];
 
-/// Two arms on a torso, with all kinds of joints, and frames in general position.
+/// Two arms on a torso, with all kinds of joints, and frames in general position. Quarter turns are rounded as in files.
+#[allow(clippy::approx_constant)]
 fn tree() -> Vec<Joint> {
     let joint = |kind, parent, origin, angles, axis, mass: f64| Joint {
         kind,

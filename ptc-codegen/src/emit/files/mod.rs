@@ -208,6 +208,9 @@ pub fn emit_robot(
         let message = format!("{name} has a meaning of its own in {}", target.name);
         found.push("reserved-name", "name", None, message, "give it another name, for example arm");
     }
+    if !found.is_empty() {
+        return found.finish(None);
+    }
     let mut code = short(crate::robot::code(request, robot));
     code.head = head::lines_of_robot(request, robot, language);
     found.finish(Some(print(&code)))
