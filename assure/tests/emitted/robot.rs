@@ -32,9 +32,9 @@ const ARM: &str = r#"<robot name="arm">
 </robot>
 "#;
 
-const Q: [f64; 3] = [0.7, -0.2, 2.1];
-const V: [f64; 3] = [1.1, 0.4, -3.0];
-const A: [f64; 3] = [-2.0, 5.0, 0.3];
+const Q: [f64; 3] = [0.75, -0.25, 2.125];
+const V: [f64; 3] = [1.125, 0.5, -3.0];
+const A: [f64; 3] = [-2.0, 5.0, 0.375];
 
 /// The functions of the arm, and what the interpreter computes, one after the other.
 fn reference(precision: &str) -> (Request, Robot, Vec<f64>) {
