@@ -32,7 +32,7 @@ from mpmath import ceil, expm, factorial, gamma, lu_solve, matrix, mp, mpf, nstr
 mp.dps = 120
 ROOM = 4096  # bytes for a controller, whatever its fields
 LUCK = mpf("1e-28")  # below, digits depend on luck in rounding
-LEFT = mpf("1e-14")  # what is claimed to be left at most
+LEFT = mpf("1e-13")  # what is claimed to be left at most: some roundings of a law that divides once
 OFF = mpf("1e-13")  # what estimates are claimed to be off by at most
 
 

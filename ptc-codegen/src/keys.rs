@@ -375,7 +375,7 @@ pub static KEYS: [KeyInfo; 79] = [
     KeyInfo {
         key: "disturbance",
         meaning: "unknown disturbance added to u, which is estimated and cancelled; with clock = samples",
-        legal: "none or constant",
+        legal: "none, constant, ramp, or sine(omega=W) with W in rad/s",
         example: "constant",
     },
     KeyInfo {
@@ -387,7 +387,7 @@ pub static KEYS: [KeyInfo; 79] = [
     KeyInfo {
         key: "disturbance_walk",
         meaning: "how far the unknown disturbance drifts in a second, as a standard deviation; for a stationary observer",
-        legal: "a finite number > 0, in the unit of u",
+        legal: "a finite number > 0, in the unit of u; of a ramp or a sine in that per second",
         example: "1",
     },
     KeyInfo {

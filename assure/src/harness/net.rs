@@ -1,5 +1,5 @@
 //! A design of each kind, for what all of them must keep: the clock in samples with its observers, delays, disturbances and
-//! references, models, several inputs, axes, filters, deadlines in flight, and the examples.
+//! references, models, several inputs, axes, filters, deadlines in flight, disturbances that move, and the examples.
 
 use std::fs;
 use std::path::Path;
@@ -19,6 +19,7 @@ pub fn designs() -> Vec<(String, Spec)> {
     named
         .chain(of_folder("filter", "tests/designs/filter"))
         .chain(of_folder("flight", "tests/designs/flight"))
+        .chain(of_folder("observer", "tests/designs/observer"))
         .chain(of_folder("example", "examples"))
         .collect()
 }

@@ -16,7 +16,7 @@ use super::matrix::Matrix;
 use super::outputs::Outputs;
 use super::pair::Pair;
 use super::singular::{least, norm};
-use super::{Complex, Delay, Linear, roots};
+use super::{Complex, Delay, Disturbance, Linear, roots};
 use crate::algebra::polynomial::Polynomial;
 use crate::algebra::{BigInt, BigRational};
 use crate::parameter::Precision;
@@ -49,14 +49,14 @@ pub(super) fn most(precision: Precision) -> f64 {
 }
 
 /// Examines a plant sampled with period `h`, whose input is late by `delay`, none where it does
-/// not control; `disturbed` with a constant that is added to the input and observed. Gives how
+/// not control; with a disturbance of the input, which is observed. Gives how
 /// many of the states that are estimated each row of C accounts for; nothing where it shows all of
 /// them.
 pub(crate) fn examine(
     plant: &Linear,
     h: &BigRational,
     delay: Option<&Delay>,
-    disturbed: bool,
+    disturbance: Option<&Disturbance>,
     precision: Precision,
 ) -> Result<Vec<usize>, Ill> {
     let limit = most(precision);
@@ -68,19 +68,22 @@ pub(crate) fn examine(
     if rank(&plant.c) < plant.c.len() {
         return Err(Ill::Dependent);
     }
-    if plant.c.len() == plant.b.len() && !disturbed {
+    if plant.c.len() == plant.b.len() && disturbance.is_none() {
         return Ok(Vec::new());
     }
     let unseen = |condition| {
-        // A constant beside the input is one more mode, at 0.
-        let alone = || examine(plant, h, delay, false, precision).is_ok();
-        let mode = match disturbed && alone() {
-            true => Some(Complex::default()),
-            false => mode(plant, h, &pair, &plant.c, true),
+        // Where the plant alone can be observed, it is the mode of the disturbance that cannot.
+        let alone = |_: &&Disturbance| examine(plant, h, delay, None, precision).is_ok();
+        let mode = match disturbance.filter(alone) {
+            Some(disturbance) => Some(disturbance.mode()),
+            None => mode(plant, h, &pair, &plant.c, true),
         };
         Err(Ill::Unobservable { condition, mode })
     };
-    let observed = if disturbed { pair.with_disturbance() } else { pair.clone() };
+    let observed = match disturbance {
+        Some(disturbance) => Pair::linear_with(disturbance, plant, h, &part).ok_or(Ill::Fast)?,
+        None => pair.clone(),
+    };
     let Some(outputs) = Outputs::new(&observed, &plant.c) else { return unseen(f64::INFINITY) };
     let shown = |step: &Matrix| {
         let rows = plant.c.iter().zip(&outputs.blocks).flat_map(|(row, size)| {

@@ -35,6 +35,11 @@ impl Delay {
         self.samples.is_integer()
     }
 
+    /// In samples, exactly.
+    pub(crate) fn exact(&self) -> &BigRational {
+        &self.samples
+    }
+
     /// In samples.
     pub fn samples(&self) -> f64 {
         self.samples.to_f64().unwrap_or(f64::INFINITY)

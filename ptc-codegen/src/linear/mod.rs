@@ -5,6 +5,7 @@ mod between;
 mod complex;
 mod condition;
 mod delay;
+mod disturbance;
 mod exponential;
 mod flow;
 mod following;
@@ -25,6 +26,7 @@ pub(crate) use between::{Between, Part, drift};
 pub use complex::Complex;
 pub(crate) use condition::{Ill, examine};
 pub use delay::Delay;
+pub use disturbance::Disturbance;
 pub(crate) use exponential::exponential;
 #[cfg(feature = "simulate")]
 pub(crate) use flow::norm;

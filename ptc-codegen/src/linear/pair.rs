@@ -78,22 +78,6 @@ impl Pair {
         Matrix::new(self.order(), self.order(), entry)
     }
 
-    /// The same with a constant that is added to u as its last state.
-    #[must_use]
-    pub(crate) fn with_disturbance(&self) -> Self {
-        let n = self.order();
-        let entry = |i: usize, j: usize| match (i < n, j < n) {
-            (true, true) => self.phi.at(i, j).clone(),
-            (true, false) => self.gamma[i].clone(),
-            (false, true) => BigRational::zero(),
-            (false, false) => BigRational::one(),
-        };
-        let with_none = |column: &[BigRational]| [column, &[BigRational::zero()]].concat();
-        let (gamma, newer) = (with_none(&self.gamma), with_none(&self.newer));
-        let powers = self.powers.iter().copied().chain([0]).collect();
-        Self { phi: Matrix::new(n + 1, n + 1, entry), gamma, newer, powers }
-    }
-
     /// The same with a delay in which `inputs` of earlier samples act or are under way; its states
     /// are x, u_{k-1}, ..., u_{k-inputs}, the oldest of which acts first.
     #[must_use]

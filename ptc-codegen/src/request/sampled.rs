@@ -9,7 +9,8 @@ use crate::algebra::BigRational;
 use crate::expression::Expression;
 use crate::expression::normal::normal;
 use crate::linear::{
-    Chains, Delay, Demand, Following, Linear, Matrix, Pair, Schedule, Several, Unscheduled, Weights,
+    Chains, Delay, Demand, Disturbance, Following, Linear, Matrix, Pair, Schedule, Several,
+    Unscheduled, Weights,
 };
 use crate::model::{Coupled, Model};
 use crate::parameter::{Fixed, Parameter};
@@ -31,8 +32,8 @@ pub struct Sampled {
     pub gain: BigRational,
     /// Values that are measured: x1..x_m of a chain, y = C x of another plant.
     pub measured: usize,
-    /// True if a constant that is added to u is estimated and cancelled.
-    pub disturbance: bool,
+    /// What is added to u, and is estimated and cancelled.
+    pub disturbance: Option<Disturbance>,
     /// The exponents of the controller; `None` if gains or a are open.
     pub exponents: Option<Exponents>,
     /// True if the plant is known at its samples alone, and is to be at rest some samples early.
@@ -228,6 +229,11 @@ impl Sampled {
     /// Returns true if there is an observer.
     pub fn observes(&self) -> bool {
         self.observer.is_some()
+    }
+
+    /// Returns true if a reading that is not believed leaves the estimates as they are predicted.
+    pub fn coasts(&self) -> bool {
+        self.observer.as_ref().is_some_and(|observer| observer.gate.coasts())
     }
 
     /// The number of the first state that an observer estimates: of a chain the last one measured.

@@ -10,7 +10,8 @@ use crate::code::{
     Access, Expr, Finish, Function, Owner, Place, Shape, Statement, Status, Test, Variable,
 };
 use crate::internal::fault;
-use crate::linear::Pair;
+use crate::linear::{Disturbance, Pair};
+use crate::parameter::Parameter;
 use crate::request::What;
 
 impl Builder<'_> {
@@ -18,8 +19,8 @@ impl Builder<'_> {
     /// disturbance.
     pub(super) fn estimated(&self) -> Vec<String> {
         let states = self.sampled.first_estimated()..=self.spec.n;
-        let disturbance = self.sampled.disturbance.then(|| "d".to_owned());
-        states.map(|j| format!("x{j}")).chain(disturbance).collect()
+        let disturbance = self.sampled.disturbance.iter().flat_map(Disturbance::states);
+        states.map(|j| format!("x{j}")).chain(disturbance.map(|name| (*name).to_owned())).collect()
     }
 
     /// The estimates from what is measured; its round ends at sample `end`.
@@ -44,7 +45,7 @@ impl Builder<'_> {
         }
         let power = |j: usize| pair.powers[j];
         body.extend(self.prediction(&pair));
-        body.push(Statement::Note(match self.coasts() {
+        body.push(Statement::Note(match self.sampled.coasts() {
             true => "Correct by what is measured, where it is believed.".to_owned(),
             false => "Correct by what is measured.".to_owned(),
         }));
@@ -90,8 +91,12 @@ impl Builder<'_> {
     /// The part of a chain that is estimated, with the disturbance.
     pub(super) fn pair_of_chain(&self) -> Pair {
         let (n, part) = (self.spec.n + 1 - self.sampled.measured, self.sampled.delay.part());
-        let chain = Pair::chain(n, &self.sampled.gain, &part);
-        if self.sampled.disturbance { chain.with_disturbance() } else { chain }
+        let Some(disturbance) = &self.sampled.disturbance else {
+            return Pair::chain(n, &self.sampled.gain, &part);
+        };
+        let h = self.fixed(Parameter::SampleTime);
+        Pair::chain_with(disturbance, (n, &self.sampled.gain), &part, h)
+            .unwrap_or_else(|| fault("a sine without a sample period"))
     }
 
     /// Statements that set p1, ..., the estimates as they are predicted for now.
@@ -167,10 +172,10 @@ impl Builder<'_> {
             _ => format!("The estimates of x{known}, ... at the last sample."),
         };
         functions.push(give("estimate", &about, xhat, values));
-        if self.sampled.disturbance {
+        if let Some(disturbance) = &self.sampled.disturbance {
             let d = Variable::new("d", Shape::Real, "estimate");
-            let about = "The estimate of the constant that is added to u.";
-            functions.push(give("disturbance", about, d, vec![Expr::field("d_hat")]));
+            let about = format!("The estimate of the {} that is added to u.", disturbance.about());
+            functions.push(give("disturbance", &about, d, vec![Expr::field("d_hat")]));
         }
         functions
     }

@@ -1,14 +1,12 @@
 //! The law: v from the states and the inputs under way.
 
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Add, Div, Sub};
 
 use super::controller::Builder;
 use super::ends::Ending;
 use super::rows::rows;
 use super::terminal::Takeover;
-use crate::algebra::integer;
 use crate::code::{Expr, Place, Shape, Statement};
-use crate::expression::{Expression, Node};
 use crate::internal::fault;
 use crate::linear::{Linear, Pair};
 use crate::parameter::Parameter;
@@ -36,10 +34,14 @@ impl Builder<'_> {
         (!eps.is_zero()).then(|| eps.div(self.parameter(Parameter::SampleTime)))
     }
 
-    /// A plant of a spec, which its reader has found controllable.
+    /// A plant of a spec with its disturbance, which its reader has found controllable and observable.
     pub(super) fn sampled_plant(&self, plant: &Linear) -> Pair {
-        let pair = self.fixed(Parameter::SampleTime);
-        let pair = pair.and_then(|h| Pair::linear(plant, h, &self.sampled.delay.part()));
+        let part = self.sampled.delay.part();
+        let pair =
+            self.fixed(Parameter::SampleTime).and_then(|h| match &self.sampled.disturbance {
+                Some(disturbance) => Pair::linear_with(disturbance, plant, h, &part),
+                None => Pair::linear(plant, h, &part),
+            });
         pair.unwrap_or_else(|| fault("a linear plant is not sampled"))
     }
 
@@ -81,28 +83,5 @@ impl Builder<'_> {
             (None, None) => "v".to_owned(),
         };
         Wanted { name, offset: self.offset(), rate: self.rate(0) }
-    }
-
-    /// f in units of u. It is divided in the call, where its field may have changed.
-    pub(super) fn force(&mut self) -> Expr {
-        let over_gain = integer(1) / &self.sampled.gain;
-        let constant = self.spec.drift.as_ref().filter(|_| self.spec.model.is_none());
-        match constant.map(Expression::node) {
-            Some(Node::Number(force)) => Expr::Number(force * over_gain),
-            Some(Node::Parameter(parameter)) => {
-                let force = self.parameter(*parameter);
-                self.keep("f", "known f", force).mul(Expr::Number(over_gain))
-            }
-            _ => Expr::integer(0),
-        }
-    }
-
-    /// Returns the known or estimated offset that is added to u in the plant.
-    pub(super) fn offset(&mut self) -> Expr {
-        let known = self.force();
-        match self.sampled.disturbance {
-            true => Expr::local("d").add(known),
-            false => known,
-        }
     }
 }

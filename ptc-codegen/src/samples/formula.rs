@@ -50,12 +50,11 @@ impl Builder<'_> {
 
     /// The states of the loop: those of the plant, and the inputs under way as they act, with what is added to them.
     pub(super) fn states_of_loop(&mut self, count: usize) -> Vec<Expr> {
-        let offset = self.offset();
         (0..count)
             .map(|j| match j.checked_sub(self.spec.n) {
                 None => self.coordinate(j + 1),
                 Some(i) => {
-                    let under_way = Expr::field(format!("u{}", i + 1)).add(offset.clone());
+                    let under_way = Expr::field(format!("u{}", i + 1)).add(self.offset_of(i + 1));
                     under_way.sub(self.rate(i + 1))
                 }
             })

@@ -29,11 +29,6 @@ impl Builder<'_> {
         self.gate().filter(|gate| gate.coasts())
     }
 
-    /// Returns true if a reading that is not believed leaves the estimates as they are predicted.
-    pub(super) fn coasts(&self) -> bool {
-        self.coasting().is_some()
-    }
-
     /// The value of `trust` after a reading that is believed.
     fn full_trust(&self) -> Expr {
         Expr::Count(self.coasting().map_or(1, |gate| gate.coast + 1))
@@ -49,7 +44,7 @@ impl Builder<'_> {
 
     /// The local value of how far measurement `of` is from its prediction, before the gate: `miss` without one.
     pub(super) fn before_gate(&self, of: &str) -> String {
-        format!("{}{of}", if self.coasts() { "gap" } else { "miss" })
+        format!("{}{of}", if self.sampled.coasts() { "gap" } else { "miss" })
     }
 
     /// Statements that set `miss` of each measurement, numbered from 0 and named behind its letter, to how far it is
@@ -90,7 +85,7 @@ impl Builder<'_> {
         let set = |name: &str, value| Statement::Set(Place::Field(name.to_owned()), value);
         let mut forgotten = vec![set("seen", Expr::Count(0))];
         let mut usable = Vec::new();
-        if self.coasts() {
+        if self.sampled.coasts() {
             usable.push(Test::CountLess(Expr::Count(1), Expr::field(TRUST)));
         }
         let mut sizes = Vec::new();
@@ -115,12 +110,12 @@ impl Builder<'_> {
     /// The statement that keeps `trust` for the next call.
     pub(super) fn keep_trust(&self) -> Option<Statement> {
         let kept = Statement::Set(Place::Field(TRUST.to_owned()), Expr::local(TRUST));
-        self.coasts().then_some(kept)
+        self.sampled.coasts().then_some(kept)
     }
 
     /// An end whose status is `Gated` where readings were not believed, with the same results.
     pub(super) fn gated(&self, results: Vec<Expr>, finish: Finish) -> Finish {
-        if !self.coasts() {
+        if !self.sampled.coasts() {
             return finish;
         }
         let gated = Test::CountLess(Expr::local(TRUST), self.full_trust());

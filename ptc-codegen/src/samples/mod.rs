@@ -27,6 +27,7 @@ mod model;
 #[cfg(feature = "files")]
 mod numbers;
 mod observer;
+mod offset;
 mod predicted;
 mod reference;
 mod rows;

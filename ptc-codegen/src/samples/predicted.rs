@@ -36,7 +36,6 @@ impl Builder<'_> {
     pub(super) fn predicted(&mut self, plant: &Linear, end: &Expr, unseen: Test) -> Vec<Statement> {
         let real = Shape::Real;
         let pair = self.sampled_plant(plant);
-        let pair = if self.sampled.disturbance { pair.with_disturbance() } else { pair };
         let Some(outputs) = Outputs::new(&pair, &plant.c) else {
             fault("a linear plant is not observable")
         };
@@ -97,7 +96,6 @@ impl Builder<'_> {
     /// The names of the estimates of a linear plant, and what is predicted for now.
     pub(super) fn predicted_now(&mut self, plant: &Linear) -> Vec<(String, Expr)> {
         let pair = self.sampled_plant(plant);
-        let pair = if self.sampled.disturbance { pair.with_disturbance() } else { pair };
         let each = self.estimated().into_iter().enumerate().map(|(i, name)| {
             let predicted = Expr::field(format!("{name}_next"));
             (name, predicted.add(self.moved(&pair, i, &Expr::integer(0))))

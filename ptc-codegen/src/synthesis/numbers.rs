@@ -50,7 +50,7 @@ impl Numbers {
             is_bounded: !spec.promises.x0_max.is_empty(),
             estimates: round.map_or(0, |round| round.poles.len()),
             round: round.and_then(|round| round.samples),
-            is_disturbed: sampled.disturbance,
+            is_disturbed: sampled.disturbance.is_some(),
             input: limit.filter(|limit| limit.is_finite() && *limit > 0.0).unwrap_or(1.0),
         })
     }

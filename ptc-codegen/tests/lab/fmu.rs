@@ -294,6 +294,25 @@ fn a_clock_in_samples_has_steps_of_a_sample() {
 
 /// An importer that compiles sources can use what is written without a compiler.
 #[test]
+fn status_of_a_gated_observer_names_doubted_readings() {
+    let folder = folder("fmu_gated");
+    let law = ["--lang=fmu2", "--name=gated", "--n=1", "--mu=exp(a=1)", "--poles=-4", "--eps=0"];
+    let clock = ["--clock=samples", "--sample-time=0.01", "--tau=1", "--measured=x1"];
+    let observer = ["--disturbance=constant", "--observer-poles=-4,-5", "--observer-samples=50"];
+    let gate = ["--innovation-max=0.1", "--coast=3"];
+    let status = |flags: &[&str]| {
+        written(&[&law[..], &clock, &observer, flags].concat(), &folder);
+        let entries = entries(&folder.join("gated.fmu"));
+        let all = elements(&text(&entries, "modelDescription.xml"));
+        let named = |a: &BTreeMap<String, String>| a.get("name").is_some_and(|n| n == "status");
+        let found = all.into_iter().find(|(_, attributes)| named(attributes)).expect("a status");
+        found.1["description"].clone()
+    };
+    assert!(!status(&[]).contains("4 a reading"));
+    assert!(status(&gate).contains("4 a reading not believed"));
+}
+
+#[test]
 fn without_a_compiler_there_are_sources_and_a_word_about_it() {
     let folder = folder("fmu_sources");
     let flags = [&["--lang=fmu2"][..], &DESIGN].concat();

@@ -96,7 +96,11 @@ fn off(spec: &Spec, own: &Sampled) -> Option<&'static str> {
         (true, true) => Some("what f + g u and r do between samples"),
         (true, false) => Some("what f + g u does between samples"),
         (false, true) => Some("what r does between samples"),
-        (false, false) => None,
+        (false, false) => own
+            .disturbance
+            .as_ref()
+            .filter(|own| own.moves())
+            .map(|_| "what d does between samples"),
     }
 }
 

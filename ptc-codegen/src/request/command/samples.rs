@@ -4,7 +4,7 @@ use num_traits::Zero;
 
 use super::{list, rows_word, word, written};
 use crate::algebra::BigRational;
-use crate::linear::{Linear, Schedule};
+use crate::linear::{Disturbance, Linear, Schedule};
 use crate::parameter::Parameter;
 use crate::request::{Flight, Gate, Keep, Lasting, Late, LeastEnergy, Observer, Sampled, Spec};
 use crate::syntax::constant;
@@ -34,9 +34,10 @@ impl Spec {
             let names: Vec<_> = (1..=sampled.measured).map(|j| format!("x{j}")).collect();
             words.push(format!("--measured={}", names.join(",")));
         }
-        if sampled.disturbance {
-            words.push("--disturbance constant".to_owned());
-        }
+        words.extend(sampled.disturbance.as_ref().map(|own| match own {
+            Disturbance::Constant | Disturbance::Ramp => format!("--disturbance {own}"),
+            Disturbance::Sine(_) => format!("--disturbance=\"{own}\""),
+        }));
         if let Some(observer) = &sampled.observer {
             words.extend(self.observer_words(observer));
         }

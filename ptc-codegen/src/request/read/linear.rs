@@ -7,7 +7,7 @@ use super::{Reader, items, shown};
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::{counted, digits};
 use crate::expression::constant::real;
-use crate::linear::{self, Complex, Delay, Ill, Linear};
+use crate::linear::{self, Complex, Delay, Disturbance, Ill, Linear};
 use crate::parameter::Fixed;
 use crate::request::{Pole, Spec, What, gains};
 use crate::syntax::{Node, Value};
@@ -44,7 +44,7 @@ impl Reader<'_> {
         &mut self,
         spec: &Spec,
         delay: &Delay,
-        disturbance: bool,
+        disturbance: Option<&Disturbance>,
     ) -> Option<(Linear, Vec<usize>)> {
         let Some(a) = self.keys.get("A").copied() else {
             for key in ["B", "C"] {
@@ -104,7 +104,7 @@ impl Reader<'_> {
         match linear::examine(&plant, &h, delay, disturbance, spec.precision) {
             Ok(blocks) => Some((plant, blocks)),
             Err(ill) => {
-                self.ill(&ill, disturbance);
+                self.ill(&ill, disturbance.is_some());
                 None
             }
         }

@@ -209,7 +209,7 @@ impl Builder<'_> {
             body.push(Statement::Set(Place::Field(ROUND.to_owned()), self.end_of_round_asked()));
         }
         body.extend(self.forget());
-        let anew = match (self.coasts(), self.sampled.observes()) {
+        let anew = match (self.sampled.coasts(), self.sampled.observes()) {
             (true, _) => {
                 " Estimates that have had no reading for all samples of `coast`, and those too large to compute with, begin anew."
             }
@@ -239,7 +239,7 @@ impl Builder<'_> {
         measured: usize,
         others: Vec<Expr>,
     ) -> Option<Statement> {
-        let count = if self.coasts() { 0 } else { measured };
+        let count = if self.sampled.coasts() { 0 } else { measured };
         let mut tests: Vec<_> = (0..count).flat_map(|l| self.is_reading(given, l)).collect();
         tests.extend(others.into_iter().map(Test::Finite));
         let checked = self.guarded() && !tests.is_empty();

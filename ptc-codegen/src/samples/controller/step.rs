@@ -36,6 +36,7 @@ impl Builder<'_> {
             let states = states.into_iter().zip(1..);
             body.extend(states.map(|(value, j)| Statement::Let(format!("x{j}"), real, value)));
         }
+        body.extend(self.means_of_disturbance());
         body.extend(self.follow());
         let (planned, samples) = self.samples_now(samples);
         let samples = &samples;

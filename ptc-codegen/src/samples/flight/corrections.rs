@@ -132,7 +132,6 @@ impl Builder<'_> {
         match self.sampled.linear.clone() {
             Some(plant) => {
                 let pair = self.sampled_plant(&plant);
-                let pair = if self.sampled.disturbance { pair.with_disturbance() } else { pair };
                 for i in 0..count {
                     let next = given(i).sub(self.moved(&pair, i, &Expr::integer(0)));
                     let name = format!("x{}_next", i + 1);
@@ -215,7 +214,7 @@ impl Builder<'_> {
     }
 
     fn assumes_disturbance(&self) -> Option<Function> {
-        self.sampled.disturbance.then(|| {
+        self.sampled.disturbance.as_ref().map(|_| {
             let mut body = vec![require([Expr::local("d")]), set("d_hat", Expr::local("d"))];
             if self.sampled.linear.is_some() {
                 body.push(set("d_next", Expr::local("d")));

@@ -54,7 +54,7 @@ impl Emitted {
         let mut given = format!(
             "{{ double e[{xhat}]; if (NAME_estimate(&self, e) != PTC_OK) return 2; for (int j = 0; j < {xhat}; j++) show(e[j]); }}"
         );
-        if sampled.disturbance {
+        if sampled.disturbance.is_some() {
             given.push_str(
                 "{ double d; if (NAME_disturbance(&self, &d) != PTC_OK) return 2; show(d); }",
             );

@@ -55,7 +55,7 @@ fn round(
         let wanted = estimates(observer, &program);
         let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&found), bits(&wanted), "sample {elapsed}");
-        let d = if sampled.disturbance { found[found.len() - 1] } else { 0.0 };
+        let d = if sampled.disturbance.is_some() { found[found.len() - 1] } else { 0.0 };
         let states = y[..known].iter().chain(&found).copied().take(spec.n);
         *last = law.u(&states.collect::<Vec<_>>(), d);
         if elapsed == samples {

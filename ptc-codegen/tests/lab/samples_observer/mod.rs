@@ -5,6 +5,7 @@ mod emitted;
 mod exact;
 mod gate;
 mod gate_costs;
+mod moving;
 use crate::support::exact_plant as plant;
 mod requests;
 mod same;

@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{7614b14d-9a70-2454-fd44-b2b38d41aa89}"
+#define TOKEN "{a0c15b33-3f22-eab3-f77c-83fba76c032e}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

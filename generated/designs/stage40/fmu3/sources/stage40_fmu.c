@@ -20,7 +20,7 @@
 #endif
 
 /* The token of modelDescription.xml: a hash of the whole text of this FMU. */
-#define TOKEN "{3ed3d9eb-39d0-ba24-a32e-a17afa68d81c}"
+#define TOKEN "{09e01c40-713c-bf92-9468-153a17ff4731}"
 
 /* Value references of outputs that are no inputs or parameters. */
 #define U 5u

@@ -64,7 +64,7 @@ pub(super) fn samples(
     let reference = spec.reference.as_ref().map(|_| Reference::Input);
     let spec = &Spec { after: After::Hold, reference, ..spec.clone() };
     // The rows assume that every reading is believed; the bounds of the innovations have to confirm it.
-    let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
+    let coasts = sampled.coasts();
     let observer = sampled.observer.clone();
     let observer = observer.map(|own| Observer { gate: Gate::default(), ..own });
     // The deadline is the one that `arm` sets.

@@ -36,7 +36,7 @@ pub(super) fn assumed(spec: &Spec, samples: usize) -> String {
         absent => format!("; without {}, not given", absent.join(", ")),
     };
     let start = match (spec.sampled(), spec.fixed.get(&Parameter::StartTime)) {
-        (Some(own), _) if own.disturbance && spec.promises.plant.is_none() => {
+        (Some(own), _) if own.disturbance.is_some() && spec.promises.plant.is_none() => {
             "d = 0 (its bound is not given)".to_owned()
         }
         (Some(_), _) => "at any tick".to_owned(),

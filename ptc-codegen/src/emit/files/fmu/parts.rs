@@ -141,7 +141,7 @@ impl<'a> Parts<'a> {
                 period: self.known(Parameter::SampleTime),
                 estimates: estimates(self.spec).len(),
             }),
-            disturbance: self.spec.sampled().is_some_and(|sampled| sampled.disturbance),
+            disturbance: self.spec.sampled().is_some_and(|sampled| sampled.disturbance.is_some()),
             decouples: self.spec.rows_of_axes().is_none() && self.spec.coupled.is_some(),
             frame: &self.frame,
         }

@@ -6,7 +6,7 @@ use super::signals::{Signal, Signals};
 use super::units::{exponent, unit_name};
 use crate::parameter::{Domain, Fixed, Parameter, Precision};
 use crate::program::number;
-use crate::request::Spec;
+use crate::request::{Sampled, Spec};
 
 /// A variable as both versions of modelDescription.xml describe it.
 pub(super) struct Variable {
@@ -47,8 +47,11 @@ pub(super) fn estimates(spec: &Spec) -> Vec<(String, String)> {
         let about = format!("Estimate of the state x{}", &name["xhat".len()..]);
         (name, about)
     });
-    let disturbance = ("d".to_owned(), "Estimate of the constant that is added to u".to_owned());
-    states.chain(sampled.disturbance.then_some(disturbance)).collect()
+    let disturbance = sampled
+        .disturbance
+        .as_ref()
+        .map(|own| ("d".to_owned(), format!("Estimate of the {} that is added to u", own.about())));
+    states.chain(disturbance).collect()
 }
 
 impl Variable {
@@ -155,7 +158,7 @@ fn outputs_of_calls(spec: &Spec, signals: &Signals, kind3: &'static str) -> Vec<
         exponent: Some(1),
         ..Variable::blank(kind3)
     });
-    let status = of_call("status", &status(signals));
+    let status = of_call("status", &status(spec, signals));
     let statuses = std::iter::once(&status).chain(&signals.statuses);
     all.extend(statuses.map(|status| Variable::status(status, signals)));
     let estimates = estimates(spec).into_iter();
@@ -179,15 +182,22 @@ fn outputs_of_calls(spec: &Spec, signals: &Signals, kind3: &'static str) -> Vec<
 
 const SOONEST: &str = "Soonest deadline, as a time from the start, that keeps the limits for sure: `deadline` may be set to it at the next sample; -1 without one";
 
-/// The numbers of a status.
-fn status(signals: &Signals) -> String {
+/// The numbers of a status that this controller gives.
+fn status(spec: &Spec, signals: &Signals) -> String {
+    let gated = spec.sampled().is_some_and(Sampled::coasts);
+    let plans = signals.steering.as_ref().is_some_and(|own| !own.in_time);
     let known = "0 tracking, 1 gains held at time-to-go eps, 2 u clipped to its limits, 3 after the deadline";
-    match signals.steering.as_ref().filter(|own| !own.in_time) {
-        None => known.to_owned(),
-        Some(_) => format!(
-            "{known}, 5 the deadline was put off, 6 no deadline was found that keeps the limits, -4 the deadline asked for is too soon and was not taken"
+    let all = [
+        (true, known),
+        (gated, "4 a reading not believed, u by prediction"),
+        (
+            plans,
+            "5 the deadline was put off, 6 no deadline was found that keeps the limits, -4 the deadline asked for is too soon and was not taken",
         ),
-    }
+    ];
+    let given: Vec<_> =
+        all.into_iter().filter(|(given, _)| *given).map(|(_, words)| words).collect();
+    given.join(", ")
 }
 
 /// The tunable parameters, and those that the design fixes.

@@ -17,7 +17,7 @@ pub(super) fn purpose(sampled: &Sampled, observer: &Observer) -> [String; 2] {
         None => "exact up to rounding",
         Some(_) => "as near as the hold at observer_eps leaves them",
     };
-    let values = if sampled.disturbance { "the state and of d" } else { "the state" };
+    let values = if sampled.disturbance.is_some() { "the state and of d" } else { "the state" };
     let goal = format!(
         "Goal: the estimates of {values} are {exact} from sample {end} after the start on, from any state and at any sample period, as long as the measurement is exact, u is what was applied and nothing else acts on the plant."
     );

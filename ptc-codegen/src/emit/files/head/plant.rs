@@ -14,7 +14,7 @@ pub(in crate::emit) fn chain(n: usize, rate: &str) -> String {
 
 /// The plant of a controller in samples of order `n`, without what is measured.
 pub(in crate::emit) fn in_samples(spec: &Spec, sampled: &Sampled) -> String {
-    let input = if sampled.disturbance { "(u + d)" } else { "u" };
+    let input = if sampled.disturbance.is_some() { "(u + d)" } else { "u" };
     if sampled.linear.is_some() {
         return format!("x' = A x + B {input}");
     }

@@ -8,7 +8,7 @@ use crate::algebra::integer;
 use crate::check::examine::Report;
 use crate::code::Code;
 use crate::diagnostic::counted;
-use crate::linear::Schedule;
+use crate::linear::{Disturbance, Schedule};
 use crate::model::Coupled;
 use crate::parameter::Fixed;
 use crate::parameter::Name;
@@ -109,7 +109,11 @@ fn plant_line(spec: &Spec, sampled: &Sampled) -> String {
         (None, Some(model)) => format!("the input {}: {}", model.input, model.lines().join(", ")),
         (None, None) => plant::in_samples(spec, sampled),
     };
-    let disturbance = if sampled.disturbance { ", d constant and unknown" } else { "" };
+    let disturbance = match &sampled.disturbance {
+        None => String::new(),
+        Some(Disturbance::Constant) => ", d constant and unknown".to_owned(),
+        Some(own @ (Disturbance::Ramp | Disturbance::Sine(_))) => format!(", d an unknown {own}"),
+    };
     let given = if sampled.linear.is_some() { " of --A and --B above" } else { "" };
     format!("Plant: {plant}{disturbance}{given}; {late}.")
 }
@@ -146,7 +150,13 @@ fn of_chain(spec: &Spec, sampled: &Sampled) -> [String; 2] {
             ),
         ];
     }
-    let goal = "Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.".to_owned();
+    let goal = "Goal: x = 0 at sample N after the start, exact up to rounding, from any state and at any sample period, as long as u is not clipped and nothing else acts on the plant.";
+    let goal = match sampled.disturbance.as_ref().is_some_and(Disturbance::moves) {
+        true => {
+            format!("{goal} What d does within a sample remains, of order h^({}-i) in x_i.", n + 2)
+        }
+        false => goal.to_owned(),
+    };
     let of = if sampled.predicts() { PREDICTED } else { "" };
     if let Some(schedule) = spec.schedule() {
         return [goal, of_schedule(spec, schedule, of, &end)];
@@ -235,7 +245,7 @@ fn behaviour(spec: &Spec, sampled: &Sampled, language: Language) -> Vec<String> 
     lines.extend(sampled.observer.iter().flat_map(gate));
     lines.extend(flight::lines(spec, sampled));
     lines.push(time::limits_of_u(spec, "Clipping voids the deadline where it lasts."));
-    let coasts = sampled.observer.as_ref().is_some_and(|observer| observer.gate.coasts());
+    let coasts = sampled.coasts();
     let given = match (spec.references(), coasts) {
         (0, false) => ["what is measured is finite", "measurements"],
         (_, false) => {

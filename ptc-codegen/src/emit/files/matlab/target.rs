@@ -31,7 +31,7 @@ fn refuse(spec: &Spec, _: Option<&Program>, found: &mut Diagnostics) {
     refuse_fma(spec, "MATLAB", found);
     let name = spec.name();
     let function = match spec.sampled() {
-        Some(sampled) if sampled.disturbance => "_disturbance",
+        Some(sampled) if sampled.disturbance.is_some() => "_disturbance",
         Some(sampled) if sampled.observes() => "_estimate",
         _ if spec.what == What::Associated => "_control",
         _ => "_init",

@@ -71,7 +71,7 @@ impl Samples {
                 },
             },
         };
-        let force = if sampled.disturbance { FORCE } else { 0.0 };
+        let force = if sampled.disturbance.is_some() { FORCE } else { 0.0 };
         let of_each = |own: Spec| Some(start(&own, own.sampled()?, example, force));
         let (starts, forces): (Vec<_>, Vec<_>) = each(spec).filter_map(of_each).unzip();
         Self {
@@ -83,7 +83,10 @@ impl Samples {
             measured: sampled.measured,
             delay: sampled.delay.inputs(),
             part: (!sampled.delay.is_whole()).then(|| text(&sampled.delay.part())),
-            force: forces.first().filter(|_| sampled.disturbance).map(|d| words.number(*d)),
+            force: forces
+                .first()
+                .filter(|_| sampled.disturbance.is_some())
+                .map(|d| words.number(*d)),
             about: about(spec, sampled),
             plant,
         }

@@ -4,6 +4,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::algebra::BigRational;
 use crate::expression::constant::real;
+use crate::linear::Disturbance;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::{Reader, shown};
 use crate::request::{Clock, Flight, Late, Reference, Sampled, Spec, What};
@@ -14,7 +15,11 @@ const MOST_SLACK: f64 = 0.01;
 
 impl Reader<'_> {
     /// Reads the changes that are possible while the controller runs, if any are.
-    pub(super) fn flight(&mut self, spec: &mut Spec) -> Option<Flight> {
+    pub(super) fn flight(
+        &mut self,
+        spec: &mut Spec,
+        disturbance: Option<&Disturbance>,
+    ) -> Option<Flight> {
         let given = |key: &&str| self.keys.contains_key(*key);
         let key = ["late", "pace", "in_flight"].into_iter().find(given);
         let alone = ["state_max", "reserve"].into_iter().find(given);
@@ -48,6 +53,13 @@ impl Reader<'_> {
             let place = self.keys.get(key).map(|node| node.place);
             let message = format!("`{key}` beside a model, or a plant with several inputs");
             let help = "deadlines are planned for chains, one or `axes` of them; `in_flight` = true lets this one change, without a plan";
+            self.wrong(key, place, message, help.to_owned());
+            return None;
+        }
+        if let Some(own) = disturbance.filter(|own| own.moves()) {
+            let place = self.keys.get(key).map(|node| node.place);
+            let message = format!("`{key}` beside disturbance = {own}");
+            let help = "a deadline in flight is planned for what is added to u now: give disturbance = constant";
             self.wrong(key, place, message, help.to_owned());
             return None;
         }

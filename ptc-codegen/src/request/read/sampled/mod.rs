@@ -1,5 +1,6 @@
 //! The clock in samples, and its keys.
 
+mod disturbance;
 mod end;
 mod exponent;
 mod flight;
@@ -50,9 +51,9 @@ impl Reader<'_> {
         let has_law = spec.what != What::Observer;
         let delay = if has_law { delay_law.states(late.inputs()) } else { 0 };
         self.raises(spec.n, delay, &late);
-        let disturbance = self.disturbed();
+        let Ok(disturbance) = self.disturbance(spec) else { return };
         let to_reach = if delay > 0 { late.clone() } else { Delay::default() };
-        let linear = self.linear(spec, &to_reach, disturbance);
+        let linear = self.linear(spec, &to_reach, disturbance.as_ref());
         if linear.is_none() && self.keys.contains_key("A") {
             return;
         }
@@ -73,8 +74,9 @@ impl Reader<'_> {
             None => {
                 // Without it no observer is known.
                 let Some(measured) = self.measured(spec.n) else { return };
-                let estimates = spec.n + 1 - measured + usize::from(disturbance);
-                let observes = measured < spec.n || disturbance;
+                let states = disturbance.as_ref().map_or(0, |own| own.states().len());
+                let estimates = spec.n + 1 - measured + states;
+                let observes = measured < spec.n || disturbance.is_some();
                 (measured, observes.then_some(estimates), vec![estimates])
             }
         };
@@ -90,11 +92,11 @@ impl Reader<'_> {
             exact,
             gain,
             measured,
-            disturbance,
+            disturbance: disturbance.clone(),
             end: self.end_law(spec, delay, a.as_ref().zip(exponents.as_ref())),
             exponents,
             observer: None,
-            flight: self.flight(spec),
+            flight: self.flight(spec, disturbance.as_ref()),
             keep: None,
             leaves_delay_law: !self.keys.contains_key("delay_law"),
             leaves_eps: !self.keys.contains_key("eps"),
@@ -107,7 +109,7 @@ impl Reader<'_> {
             linear: sampled.linear.as_ref(),
             gain: &sampled.gain,
             measured,
-            disturbance,
+            disturbance: disturbance.as_ref(),
         };
         let observer = self.observer(spec, estimates, plant, &blocks, a.as_ref());
         sampled.observer = observer;
@@ -250,10 +252,6 @@ impl Reader<'_> {
         let help = format!("name the measured states from x1 on without a gap, at most x{n}");
         self.wrong("measured", Some(node.place), message, help);
         None
-    }
-
-    fn disturbed(&mut self) -> bool {
-        self.choice("disturbance", &[("none", false), ("constant", true)]).unwrap_or(false)
     }
 
     /// Between samples f must not move, so it is a number or a parameter.

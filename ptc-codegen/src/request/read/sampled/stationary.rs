@@ -1,7 +1,7 @@
 //! The gains of a stationary observer, from the noise of the design.
 
 use crate::algebra::{BigRational, integer};
-use crate::linear::{Linear, Matrix, Noisy, Pair};
+use crate::linear::{Disturbance, Linear, Matrix, Noisy, Pair};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::read::Reader;
 use crate::request::read::promises::finite_positive;
@@ -21,18 +21,18 @@ pub(super) struct Observed<'a> {
     pub(super) gain: &'a BigRational,
     /// Values that are measured.
     pub(super) measured: usize,
-    pub(super) disturbance: bool,
+    pub(super) disturbance: Option<&'a Disturbance>,
 }
 
 impl Reader<'_> {
     /// The stationary observer of a plant; `None` for a mistake, which is noted.
     pub(super) fn stationary(&mut self, spec: &Spec, plant: Observed<'_>) -> Option<Stationary> {
-        if !plant.disturbance {
+        let Some(disturbance) = plant.disturbance else {
             let message = "a stationary observer without a disturbance".to_owned();
             let help = "it weighs the noise of what is measured against a force that is not known: give disturbance = constant and `disturbance_walk`";
             self.refuse(message, help);
             return None;
-        }
+        };
         let Some(node) = self.keys.get(WALK).copied() else {
             let message = "`disturbance_walk` is missing".to_owned();
             let help = "give how far the unknown disturbance drifts in a second, as a standard deviation in the unit of u".to_owned();
@@ -58,7 +58,7 @@ impl Reader<'_> {
             self.refuse(message, "give `sensor_step`, `noise` or `noise_rms` of it: the gains weigh it against the disturbance");
             return None;
         }
-        let gains = gains(spec.n, plant, h, (walk.number()?, noise));
+        let gains = gains(spec.n, (plant, disturbance), h, (walk.number()?, noise));
         if gains.is_none() {
             let message = "no stationary observer of this plant".to_owned();
             self.refuse(message, "a mode is not observed well enough: give `observer_poles`");
@@ -86,16 +86,18 @@ impl Reader<'_> {
 /// The gains for the standard deviation of the disturbance after a second, and the variance of each measured value.
 fn gains(
     n: usize,
-    plant: Observed<'_>,
+    (plant, disturbance): (Observed<'_>, &Disturbance),
     h: &BigRational,
     (walk, noise): (&BigRational, Vec<BigRational>),
 ) -> Option<Vec<Vec<BigRational>>> {
     let whole = integer(1);
     let pair = match plant.linear {
-        Some(linear) => Pair::linear(linear, h, &whole)?,
-        None => Pair::chain(n + 1 - plant.measured, plant.gain, &whole),
+        Some(linear) => Pair::linear_with(disturbance, linear, h, &whole)?,
+        None => {
+            let chain = (n + 1 - plant.measured, plant.gain);
+            Pair::chain_with(disturbance, chain, &whole, Some(h))?
+        }
     };
-    let pair = pair.with_disturbance();
     let (phi, order) = (pair.in_units(h), pair.order());
     let rows = match plant.linear {
         Some(linear) => linear.c.clone(),
