@@ -28,7 +28,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 75] = [
+pub static KEYS: [KeyInfo; 79] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -73,8 +73,8 @@ pub static KEYS: [KeyInfo; 75] = [
     },
     KeyInfo {
         key: "what",
-        meaning: "what to generate: the controller, the infinite-time system on which pi0 is designed, the observer alone, or a filter that keeps bounds under any controller",
-        legal: "controller, associated, observer or filter",
+        meaning: "what to generate: the controller, the infinite-time system on which pi0 is designed, the observer alone, a filter that keeps bounds under any controller, or functions of a robot",
+        legal: "controller, associated, observer or filter; with urdf one or several of inverse-dynamics, mass-matrix, jacobian",
         example: "associated",
     },
     KeyInfo {
@@ -457,6 +457,30 @@ pub static KEYS: [KeyInfo; 75] = [
         example: "1e-4,1e-3",
     },
     KeyInfo {
+        key: "urdf",
+        meaning: "URDF file of a robot, of which emit generates functions; its path is relative to the design file",
+        legal: "a path, with what = inverse-dynamics, mass-matrix or jacobian",
+        example: "arm.urdf",
+    },
+    KeyInfo {
+        key: "base",
+        meaning: "link of a robot that does not move; with urdf",
+        legal: "the name of a link; by default the root of the file",
+        example: "base_link",
+    },
+    KeyInfo {
+        key: "tip",
+        meaning: "links at the ends of a robot; joints that move none of them are held at position 0; with urdf",
+        legal: "the name of a link, or several; by default the robot is all that the base carries",
+        example: "hand",
+    },
+    KeyInfo {
+        key: "gravity",
+        meaning: "acceleration of gravity in the axes of a robot's base, m/s^2; with urdf",
+        legal: "three numbers; 0, 0, -9.81 if not given",
+        example: "0,0,-9.81",
+    },
+    KeyInfo {
         key: "x0_max",
         meaning: "bounds of |x_i| at the start, 0 for a state at rest",
         legal: "n numbers >= 0; with several outputs in samples also a list for each",
@@ -477,8 +501,13 @@ pub static KEYS: [KeyInfo; 75] = [
 ];
 
 /// Keys whose names parameters may have too: the keys of a model, and the capitals that plants are full of.
-pub const PARAMETERS_TOO: [&str; 8] =
-    ["inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C"];
+pub const PARAMETERS_TOO: [&str; 12] = [
+    "inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C", "urdf", "base", "tip",
+    "gravity",
+];
+
+/// The functions of a robot: further values of `what`.
+pub const ROBOT_FUNCTIONS: [&str; 3] = ["inverse-dynamics", "mass-matrix", "jacobian"];
 
 /// The names of the checks, in the order in which they are run: the values of `allow`.
 pub const CHECKS: [&str; 7] =
@@ -493,8 +522,14 @@ impl KeyInfo {
             "A" | "B" | "C" => Some("plant"),
             "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia"
             | "bias" => Some("model"),
+            "urdf" | "base" | "tip" | "gravity" => Some("robot"),
             _ => None,
         }
+    }
+
+    /// Returns true if the value of a key is a text that is taken as it stands, such as a path.
+    pub fn is_text(key: &str) -> bool {
+        matches!(key.strip_prefix("robot.").unwrap_or(key), "urdf" | "base" | "tip")
     }
 
     /// Whether it is on or off: a boolean of TOML, and a flag that needs no value.

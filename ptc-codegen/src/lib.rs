@@ -75,6 +75,9 @@ pub mod program;
 pub mod reference;
 #[doc(hidden)]
 pub mod request;
+#[cfg(feature = "files")]
+#[doc(hidden)]
+pub mod robot;
 #[doc(hidden)]
 pub mod samples;
 #[cfg(feature = "files")]
@@ -88,6 +91,9 @@ pub mod syntax;
 #[cfg(feature = "lab")]
 #[doc(hidden)]
 pub mod synthesis;
+#[cfg(feature = "files")]
+#[doc(hidden)]
+pub mod urdf;
 #[cfg(feature = "lab")]
 #[doc(hidden)]
 pub mod verify;

@@ -54,6 +54,15 @@ table! {
     /// Lines of a design, and flags of a command.
     ENTRIES = 2_000 "keys and tables", "each may cause a search for what it means",
         "a design has some forty keys: leave the others out";
+    /// Bytes of a URDF file.
+    URDF = 16_777_216 "bytes", "the file of a humanoid has a few hundred thousand",
+        "give the URDF itself, not a mesh or an archive";
+    /// Elements, attributes and texts of a URDF file.
+    URDF_ELEMENTS = 1_000_000 "elements and texts", "the file of a humanoid has some ten thousand",
+        "give the file of one robot";
+    /// Moving joints of a robot.
+    URDF_JOINTS = 64 "moving joints", "the mass matrix has the square of their number",
+        "give `base` and `tip` of the part that moves";
     /// Items of all lists of a design.
     ITEMS = 2_000 "values in lists", "each may be wrong by itself; the order is at most 16",
         "a list has one value for each state";

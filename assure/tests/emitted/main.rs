@@ -20,6 +20,7 @@ mod laws;
 mod mixtures;
 mod oracle;
 mod reference;
+mod robot;
 mod samples_languages;
 mod selftest;
 mod spec_properties;

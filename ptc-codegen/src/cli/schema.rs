@@ -1,7 +1,7 @@
 //! `schema`: a JSON schema of design files, from the tables of keys.
 
 use crate::keys::verify::{self, INITIAL_STATE, PARAMETER};
-use crate::keys::{KEYS, KeyInfo, TABLES, TableInfo};
+use crate::keys::{KEYS, KeyInfo, ROBOT_FUNCTIONS, TABLES, TableInfo};
 use crate::syntax::number;
 use serde_json::{Map, Value, json};
 
@@ -38,8 +38,8 @@ pub(crate) fn schema() -> String {
     let mut schema: Map<_, _> =
         head.map(|(key, text)| (key.to_owned(), text.into())).into_iter().collect();
     schema.extend(top);
-    // A linear plant and a model have an order.
-    let order = ["n", "plant", "model"].map(|key| json!({ "required": [key] }));
+    // A linear plant and a model have an order, and a robot needs none.
+    let order = ["n", "plant", "model", "robot"].map(|key| json!({ "required": [key] }));
     schema.insert("anyOf".to_owned(), json!(order));
     // The states of a model have names of their own, and so have the parameters of expressions.
     let own = ["model", "kappa", "pi0", "f", "g"].map(|key| json!({ "required": [key] }));
@@ -93,8 +93,19 @@ fn key(info: &KeyInfo) -> Value {
         "description": format!("{}; legal: {}", info.meaning, info.legal),
         "examples": [example(info.example)],
     });
-    if let Some(words) = words(info.legal) {
-        key["enum"] = words.into();
+    // Behind a semicolon stand the functions of a robot, of which there may be several.
+    match info.legal.split_once(';').filter(|_| info.key == "what") {
+        Some((one, _)) => {
+            let one: Vec<_> = words(one).into_iter().flatten().collect();
+            let any: Vec<_> = one.iter().map(String::as_str).chain(ROBOT_FUNCTIONS).collect();
+            let several = json!({ "type": "array", "items": { "enum": ROBOT_FUNCTIONS } });
+            key["anyOf"] = json!([{ "enum": any }, several]);
+        }
+        None => {
+            if let Some(words) = words(info.legal) {
+                key["enum"] = words.into();
+            }
+        }
     }
     key
 }

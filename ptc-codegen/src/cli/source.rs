@@ -120,6 +120,13 @@ impl Source {
         design::completed(self.text().unwrap_or_default(), &lines)
     }
 
+    /// The folder to which the path that is the value of `key` is relative: that of the design file, if the key is in it.
+    pub(crate) fn folder_of(&self, key: &str) -> PathBuf {
+        let in_file = self.given.iter().all(|flag| flag.key != key);
+        let folder = self.file.as_ref().filter(|_| in_file).and_then(|(path, _)| path.parent());
+        folder.map(Path::to_owned).unwrap_or_default()
+    }
+
     /// The text of the design file, if there is one.
     pub(crate) fn text(&self) -> Option<&str> {
         self.file.as_ref().map(|(_, text)| text.as_str())

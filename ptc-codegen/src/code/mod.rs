@@ -142,8 +142,24 @@ impl Variable {
 }
 
 impl Code {
+    /// Returns true if its functions depend on their arguments alone: they are those of a robot.
+    pub fn is_stateless(&self) -> bool {
+        self.fields.is_empty() && self.start.is_none() && !self.functions.iter().any(changes)
+    }
+
+    /// Returns what it is, for a title.
+    pub fn title(&self) -> String {
+        match self.is_stateless() {
+            true => "Functions of the robot".to_owned(),
+            false => format!("Prescribed-time {}", self.noun()),
+        }
+    }
+
     /// Describes `init` in a sentence.
     pub fn starts(&self) -> String {
+        if self.is_stateless() {
+            return "Has nothing to compute: every number of the robot is fixed.".to_owned();
+        }
         let Some(start) = &self.start else {
             return "Takes the parameters and arms at tick 0.".to_owned();
         };
@@ -164,6 +180,9 @@ impl Code {
     pub fn noun(&self) -> &'static str {
         if self.function("update").is_some() {
             return "observer";
+        }
+        if self.is_stateless() {
+            return "robot";
         }
         if self.is_filter() { "filter" } else { "controller" }
     }
@@ -210,6 +229,10 @@ impl Code {
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions.iter().find(|function| function.name == name)
     }
+}
+
+fn changes(function: &Function) -> bool {
+    function.access == Access::Change
 }
 
 /// Name of a parameter as a local value, in every language.

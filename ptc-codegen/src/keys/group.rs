@@ -14,7 +14,7 @@ pub struct Group {
 }
 
 /// All groups, in the order in which they are listed.
-pub static GROUPS: [Group; 6] = [
+pub static GROUPS: [Group; 7] = [
     Group {
         title: "Code",
         common: &["name", "precision"],
@@ -72,6 +72,7 @@ pub static GROUPS: [Group; 6] = [
             "coast",
         ],
     },
+    Group { title: "Robot", common: &["urdf"], rare: &["base", "tip", "gravity"] },
     Group {
         title: "Checks",
         common: &["x0_max", "error", "allow"],

@@ -21,10 +21,11 @@ pub struct TableInfo {
 }
 
 /// All tables, in the order of the documentation. All other keys are above the first one.
-pub static TABLES: [TableInfo; 8] = [
+pub static TABLES: [TableInfo; 9] = [
     TableInfo { open: true, ..TableInfo::once("params", "values of parameters, by their names") },
     TableInfo::once("envelope", "what the inputs of the controller are within"),
     TableInfo::once("model", "a model of the plant, from which n, f and g follow"),
+    TableInfo::once("robot", "a robot, of which emit generates functions"),
     TableInfo {
         own: &PLANT_KEYS,
         open: true,

@@ -16,6 +16,7 @@ mod new;
 #[cfg(unix)]
 mod projects;
 mod proof;
+mod robot;
 mod show;
 #[path = "../support/mod.rs"]
 mod support;

@@ -145,7 +145,7 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "[limits]\nx = 1",
             "limits",
             "`[limits]` is not a table of a design",
-            "params, envelope, model, plant",
+            "params, envelope, model, robot, plant",
         ),
         (
             "[params.a]\nx = 1",
@@ -158,7 +158,7 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "[[axes]]\ntau = 1",
             "axes",
             "`[[axes]]` is not a table of a design",
-            "params, envelope, model, plant",
+            "params, envelope, model, robot, plant",
         ),
         ("parms.tau = 1", "parms.tau", "`parms` is not a table of a design", "`params`?"),
         (
@@ -171,7 +171,7 @@ fn tables_and_keys_that_mean_nothing_are_told() {
             "[params]\na.b = 1",
             "a.b",
             "`a` is not a table of a design",
-            "params, envelope, model, plant",
+            "params, envelope, model, robot, plant",
         ),
         (
             "\"params.a\" = 1",

@@ -10,6 +10,7 @@ mod identities;
 mod limits_apart;
 mod overflow;
 mod plcopen;
+mod robot;
 mod spelling;
 #[path = "../support/mod.rs"]
 mod support;

@@ -85,6 +85,10 @@ const ROBUST: &str = include_str!("../../../docs/guide/robust.md");
 
 /// Events of the same stage.
 const FILTER: &str = include_str!("../../../docs/guide/filter.md");
+
+/// The functions of a robot.
+const ROBOTS: &str = include_str!("../../../docs/guide/robots.md");
+
 const MOVES: &str = include_str!("../../../docs/guide/moves.md");
 
 /// Several axes, and more on them.

@@ -7,8 +7,8 @@ use std::process::Command;
 use super::{
     AXES, BARRIER, CART, DESIGN, DRIVE, ELASTIC, ENCODER, FILTER, GANTRY, GUIDE, GUIDE_AXES,
     GUIDE_MODEL, GUIDE_QUADROTOR, GUIDE_TARGET, GUIDE_UNCERTAIN, GUIDE_VERIFY, MODELS, MOTOR,
-    MOVES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBUST, SAMPLES, SIMULATE, TABLE,
-    TANK, TIME, TRACK, VERIFY, blocks_of, folder, pages, shell,
+    MOVES, PENDULUM, QUADROTOR, REFERENCES, RESONANCE, ROBOT, ROBOTS, ROBUST, SAMPLES, SIMULATE,
+    TABLE, TANK, TIME, TRACK, VERIFY, blocks_of, folder, pages, shell,
 };
 
 /// Returns the output of `line` in `folder`; a refused design is not a failure.
@@ -113,6 +113,10 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("quadrotor.toml"), QUADROTOR).expect("writable");
     assert_eq!(blocks_of(GUIDE, "toml"), [TABLE]);
     fs::write(folder.join("table.toml"), TABLE).expect("writable");
+    let [robot] = &blocks_of(ROBOTS, "xml")[..] else { panic!("a robot") };
+    fs::write(folder.join("scara.urdf"), robot).expect("writable");
+    let [functions] = &blocks_of(ROBOTS, "toml")[..] else { panic!("a design") };
+    fs::write(folder.join("scara.toml"), functions).expect("writable");
     let [stop] = &blocks_of(FILTER, "toml")[..] else { panic!("a filter") };
     fs::write(folder.join("stop.toml"), stop).expect("writable");
     // Those of one command, to refresh a few pages in seconds.
@@ -178,6 +182,11 @@ fn pages_show_what_is_printed() {
         );
         assert_eq!(&shell(&strict, &folder), shown, "{name}");
     }
+    let [program] = &blocks_of(ROBOTS, "c")[..] else { panic!("one program") };
+    let [shown] = &blocks_of(ROBOTS, "text")[..] else { panic!("one output") };
+    fs::write(folder.join("main.c"), program).expect("writable");
+    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iscara main.c scara/scara.c -lm -o demo && ./demo";
+    assert_eq!(&shell(strict, &folder), shown, "scara");
     let (programs, shown) = (blocks_of(FILTER, "c"), blocks_of(FILTER, "text"));
     fs::write(folder.join("main.c"), &programs[0]).expect("writable");
     let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Istop main.c stop/stop_filter.c -lm -o demo && ./demo";

@@ -1,6 +1,8 @@
 //! `emit`: the source of a controller, to files, to the standard output, or compared with files.
 
 mod args;
+mod destination;
+mod robot;
 
 use std::path::Path;
 
@@ -17,12 +19,10 @@ use crate::plant;
 use crate::request::Spec;
 
 pub(crate) use args::{EXAMPLES, Emit};
+use destination::{make, place};
 
-use super::compare::compare;
-use super::fmu;
 use super::output::{self, Outputs};
 use super::progress::checking;
-use super::project as folder;
 use super::read;
 use super::report::{Failure, note};
 use super::source::{Source, chosen};
@@ -49,6 +49,9 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         source.give("precision", "f32");
     }
     let given = source.parse();
+    if crate::robot::is_described(&given.entries) {
+        return robot::emit(request, &mut outputs, &source, &given);
+    }
     let mut spec = given.read()?;
     let expanded = request.engine.engine.prepare(&mut spec)?;
     let dump = |pass: &str| crate::accepted::dump(&spec, expanded.as_ref(), pass);
@@ -163,79 +166,4 @@ fn measured(file: Option<&Path>, spec: &Spec) -> Result<Vec<Measured>, Failure> 
         ));
     }
     Ok(table)
-}
-
-/// Prints, compares or writes the files of a language.
-fn place(
-    request: &Emit,
-    outputs: &mut Outputs,
-    (name, language): (&str, Language),
-    files: &[File],
-) -> Result<(), Failure> {
-    let out = request.out.as_deref().unwrap_or(Path::new("."));
-    if request.check {
-        return match (out.as_os_str() == "-", language.fmi()) {
-            (true, _) => Err(Failure::because(
-                "`--check` has no files to compare with where `--out` is `-`".to_owned(),
-                "give the folder that holds them, for example -o out",
-            )),
-            (false, Some(_)) => fmu::check(out, name, files),
-            (false, None) => compare_folder(out, files),
-        };
-    }
-    let place = outputs.folder("--out", out)?;
-    let told = match (place.is_stream(), language.fmi()) {
-        (true, Some(_)) => return Err(unprintable("an FMU is an archive")),
-        (true, None) => output::write(&[(place, joined(files, language).as_bytes())])?,
-        (false, Some(version)) => {
-            let (archive, content) = fmu::archive(name, version, files)?;
-            outputs.write_in(out, &[(&archive, content)])?
-        }
-        (false, None) => {
-            let files: Vec<_> = files.iter().map(|f| (f.name.as_str(), &f.text)).collect();
-            outputs.write_in(out, &files)?
-        }
-    };
-    write::to_stdout(&told)
-}
-
-/// Compares or writes the files of a project.
-fn make(request: &Emit, outputs: &mut Outputs, name: &str, files: &[File]) -> Result<(), Failure> {
-    let out = request.out.as_deref().unwrap_or(Path::new(name));
-    if out.as_os_str() == "-" {
-        return Err(unprintable("a project is a folder"));
-    }
-    if request.check {
-        return compare_folder(out, files);
-    }
-    let place = outputs.folder("--out", out)?;
-    if place.is_stream() {
-        return Err(unprintable("a project is a folder"));
-    }
-    folder::write(&place, files)
-}
-
-fn unprintable(what: &str) -> Failure {
-    Failure::because(
-        format!("{what}, which is no text to print"),
-        "give the folder to write to, for example -o out",
-    )
-}
-
-/// All files in one text; a comment names each where there are several.
-fn joined(files: &[File], language: Language) -> String {
-    let (open, close) = language.comment();
-    match files {
-        [only] => only.text.clone(),
-        _ => {
-            files.iter().map(|f| format!("{open}---- {} ----{close}\n{}", f.name, f.text)).collect()
-        }
-    }
-}
-
-/// Compares the files with those in `folder`.
-fn compare_folder(folder: &Path, files: &[File]) -> Result<(), Failure> {
-    // Of what is longer the first line that differs is shown.
-    let most = |file: &File| file.text.len() as u64 + 4096;
-    compare(folder, files, &mut |file| read::start(&folder.join(&file.name), most(file)))
 }

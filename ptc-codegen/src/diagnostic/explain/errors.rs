@@ -192,7 +192,7 @@ pub(super) static ERRORS: [Explanation; 29] = [
         "unknown-table",
         "A design has no table of this name.",
         ("n = 2\nmu = \"exp\"\n\n[parameters]\ntau = 1\n", CHECK),
-        "the message lists the tables: params, envelope, model, plant, disturbance, verify, objective",
+        "the message lists the tables: params, envelope, model, robot, plant, disturbance, verify, objective",
     ),
     file(
         "unreadable-design",

@@ -13,6 +13,7 @@ mod model;
 mod parameters;
 mod promises;
 mod reference;
+mod robot;
 mod sampled;
 mod spec;
 mod units;
@@ -66,6 +67,9 @@ pub fn read_run(entries: &[Entry]) -> Result<Spec, Vec<Diagnostic>> {
 
 fn read_for(entries: &[Entry], runs: bool) -> Result<Spec, Vec<Diagnostic>> {
     let mut reader = Reader::new(entries);
+    if reader.is_robot(entries) {
+        return reader.found.finish(None);
+    }
     let filter = reader.as_filter(entries);
     let plant = if filter.is_none() { reader.as_linear_plant(entries) } else { None };
     if let Some(entries) = filter.as_ref().or(plant.as_ref()) {

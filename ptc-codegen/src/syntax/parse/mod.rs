@@ -19,6 +19,7 @@ use std::ops::Range;
 
 use super::{Argument, Node, Operator, Value, number};
 use crate::diagnostic::{Diagnostic, Place};
+use crate::keys::KeyInfo;
 use crate::limits::{HEIGHT, NESTING, TEXT};
 use crate::parameter::Fixed;
 use failure::{Failure, beyond, expected};
@@ -32,6 +33,9 @@ pub fn parse(
     text: &str,
     place: &mut dyn FnMut(Range<usize>) -> Place,
 ) -> Result<Node, Diagnostic> {
+    if KeyInfo::is_text(key) && TEXT.admits(text.len()) {
+        return Ok(Node { value: Value::Word(text.to_owned()), place: place(0..text.len()) });
+    }
     let mut parser = Parser { text, at: 0, height: 0, depth: 0, place };
     parser.whole().map_err(|failure| {
         let place = (parser.place)(failure.range.clone());

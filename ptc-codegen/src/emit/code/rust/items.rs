@@ -21,7 +21,7 @@ impl Rust<'_> {
         self.structure(&format!("{kind}Params"), &about, &code.parameters, true);
         // In a file the head stands above all.
         let head = if self.runtime.is_empty() { "" } else { &format!(" {}", code.head.join(" ")) };
-        let about = format!("Prescribed-time {}.{head}", code.noun());
+        let about = format!("{}.{head}", code.title());
         self.structure(&kind, &about, &code.fields, false);
         if !code.gains.is_empty() {
             let about = format!("Feedback gains of [`{kind}`] at one time.");

@@ -82,11 +82,16 @@ impl C<'_> {
         }
         self.out.close(format!("}} {name}_params;\n"));
         let noun = capital(code.noun());
-        self.out.line(format!(
-            "/* {noun}: set by init, changed by arm and by what takes it without const. */"
-        ));
+        let changed = match code.is_stateless() {
+            true => "",
+            false => ", changed by arm and by what takes it without const",
+        };
+        self.out.line(format!("/* {noun}: set by init{changed}. */"));
         self.out.open(format!("typedef struct {name} {{"));
         self.members(&code.fields);
+        if code.fields.is_empty() {
+            self.out.line("char none; /* every number is fixed */");
+        }
         self.out.close(format!("}} {name};\n"));
         if !code.gains.is_empty() {
             self.out.line("/* Feedback gains at one time. */");

@@ -16,12 +16,12 @@ impl C<'_> {
     pub(super) fn source(mut self) -> String {
         let code = self.code;
         let name = &code.name;
-        let noun = code.noun();
+        let title = code.title();
         self.init();
         code.subroutines().into_iter().for_each(|of| self.subroutine(of));
         code.functions.iter().for_each(|function| self.function(function));
         let functions = std::mem::take(&mut self.out).text();
-        self.out.line(format!("/* Prescribed-time {noun} {name}: see {name}.h. DO NOT EDIT. */"));
+        self.out.line(format!("/* {title} {name}: see {name}.h. DO NOT EDIT. */"));
         self.out.line(format!(
             "#include \"{name}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stddef.h>"
         ));

@@ -99,8 +99,11 @@ impl Cpp<'_> {
     fn class(&mut self, kind: &str) {
         let code = self.code;
         let noun = capital(code.noun());
-        self.out
-            .line(format!("\n/// {noun}: set by init, changed by arm and by what is not const."));
+        let changed = match code.is_stateless() {
+            true => "",
+            false => ", changed by arm and by what is not const",
+        };
+        self.out.line(format!("\n/// {noun}: set by init{changed}."));
         self.out.open(format!("class {kind} {{"));
         self.out.leave();
         self.out.open("public:");

@@ -10,12 +10,14 @@ mod formulas;
 mod observed;
 mod plant;
 mod precision;
+mod robot;
 mod samples;
 mod time;
 
 pub(super) use axes::have_own;
 pub(super) use formulas::{law, mapping};
 pub(super) use plant::{chain, in_samples as plant_in_samples};
+pub(super) use robot::lines as lines_of_robot;
 #[cfg(feature = "lab")]
 pub(super) use samples::law as law_in_samples;
 pub(super) use samples::{formulas as formulas_in_samples, lines as lines_in_samples};

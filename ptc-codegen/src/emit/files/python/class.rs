@@ -20,6 +20,7 @@ impl Python<'_> {
         for function in code.functions.iter().filter(|f| f.owner == Owner::Controller) {
             match code.start {
                 Some(_) if Gives::of(function) != Gives::Status => self.batch_function(function),
+                None if code.is_stateless() => self.batch_function(function),
                 _ => self.function(function),
             }
         }

@@ -78,6 +78,7 @@ impl Text for Python<'_> {
             (true, "x" | "xi") => format!("x{}", index + 1),
             (true, "x0") => format!("x{}_0", index + 1),
             (true, "r") => format!("r{index}"),
+            (true, "q" | "v" | "a") if self.code.is_stateless() => format!("{array}{}", index + 1),
             (true, "laws") => format!("laws[..., {index}]"),
             _ => format!("{array}[{index}]"),
         }

@@ -14,7 +14,8 @@ impl Python<'_> {
             self.out.line(line.replace('\\', "\\\\"));
         }
         self.out.line("\"\"\"\n\nfrom __future__ import annotations\n");
-        let controls = code.function("update").is_none();
+        let stateless = code.is_stateless();
+        let controls = code.function("update").is_none() && !stateless;
         let lists = !code.subroutines().is_empty();
         let arrays = code.parameters.iter().any(|p| p.shape.length().is_some());
         let calls = code.functions.iter().any(|function| !function.callbacks.is_empty());
@@ -25,12 +26,13 @@ impl Python<'_> {
             self.out.line(format!("from collections.abc import {}", imported.join(", ")));
         }
         self.out.line("from dataclasses import dataclass\nfrom enum import IntEnum");
-        self.out.line(if controls { "from typing import NamedTuple\n" } else { "" });
+        self.out.line(if controls || stateless { "from typing import NamedTuple\n" } else { "" });
         self.out.line("import numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n");
         let rate = code.function("rate").is_some();
         let mut public = vec!["Params", "Status", &kind];
         public.extend(controls.then_some("Control"));
         public.extend((!code.gains.is_empty()).then_some("Gains"));
+        public.extend(stateless.then_some("Value"));
         public.extend(rate.then_some(["Rate", "Value"]).into_iter().flatten());
         public.extend(code.axes().map(|_| "Axes"));
         public.sort_unstable();
@@ -53,7 +55,16 @@ impl Python<'_> {
         }
         if rate {
             self.out.line(RATE);
-            self.out.line(VALUE);
+        }
+        if rate || stateless {
+            let of_system = "What leads from the infinite-time system to the plant or back";
+            let value = match stateless {
+                true => VALUE
+                    .replace(of_system, "What a function gives")
+                    .replace("A time, or a state along", "The result along"),
+                false => VALUE.to_owned(),
+            };
+            self.out.line(value);
         }
         self.out.line("\n@dataclass(frozen=True, kw_only=True)");
         self.out.open("class Params:");
@@ -78,10 +89,11 @@ impl Python<'_> {
         let arrays = |shape: Shape| shape.length().is_some();
         let given = code.parameters.iter().any(|p| arrays(p.shape));
         let latched = code.start.as_ref().is_some_and(|start| start.state.is_some());
-        if given || latched || code.start.is_none() {
+        let stateless = code.is_stateless();
+        if given || latched || (code.start.is_none() && !stateless) {
             self.out.line(format!("{NUMBERS}\n"));
         }
-        if code.start.is_some() {
+        if code.start.is_some() || stateless {
             let given = |of_states: bool| {
                 let all = code.functions.iter().flat_map(|function| &function.arguments);
                 let own = all.filter(|argument| (argument.name != "r") == of_states);
