@@ -179,7 +179,8 @@ impl Scale {
         }
         let open = self.open.as_ref().max(other.open.as_ref());
         let products: BTreeSet<_> = self.exponent.keys().chain(other.exponent.keys()).collect();
-        for product in products.into_iter().rev().take_while(|p| open.is_none_or(|open| *p > open)) {
+        for product in products.into_iter().rev().take_while(|p| open.is_none_or(|open| *p > open))
+        {
             spend(COMPARED)?;
             match (self.exponent.get(product), other.exponent.get(product)) {
                 (own, others) if own == others => {}
