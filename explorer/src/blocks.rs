@@ -32,13 +32,16 @@ pub(crate) fn of_loop(spec: &Spec) -> Value {
         None => {}
     }
     let own = spec.sampled();
-    if own.is_some_and(|own| own.disturbance) {
+    if own.is_some_and(|own| own.disturbance.is_some()) {
         into.push(json!({ "block": "Plant", "text": "unknown force d" }));
     }
     let mut back = vec![block("Sensors", &sensors(spec))];
     if own.is_some_and(|own| own.observes()) {
-        let estimates =
-            if own.is_some_and(|own| own.disturbance) { "states and d" } else { "states" };
+        let estimates = if own.is_some_and(|own| own.disturbance.is_some()) {
+            "states and d"
+        } else {
+            "states"
+        };
         back.push(block("Observer", estimates));
     }
     json!({ "forward": forward, "back": back, "into": into })

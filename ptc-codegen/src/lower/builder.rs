@@ -11,6 +11,7 @@ use crate::program::passes::append;
 use crate::program::{Input, Least, Limits, Op, Program, Stage, Value};
 use crate::request::Spec;
 
+use super::jet::Jets;
 use super::mapping::Taylor;
 use super::plant::Form;
 
@@ -39,6 +40,10 @@ pub(super) struct Builder<'a> {
     pub(super) plant: Option<PlantPoint>,
     /// The form of the plant that is computed, where it is not that of the request.
     pub(super) form: Option<Form>,
+    /// The chains of a model, where they are expanded by Taylor arithmetic.
+    pub(super) jets: Option<Jets>,
+    /// True while factors that are numbers join, and signs move into sums: the terms of jets are full of both.
+    pub(super) joins: bool,
     /// The axis whose values are being named, from 1, where each has its own.
     pub(super) axis: Option<usize>,
     /// Number of outputs of the plant.
@@ -101,6 +106,8 @@ impl<'a> Builder<'a> {
             complement: None,
             plant: None,
             form: None,
+            jets: None,
+            joins: false,
             axis: None,
             outputs: spec.decoupled().map_or(1, |coupled| coupled.outputs.len()),
             highest: None,
@@ -143,6 +150,11 @@ impl<'a> Builder<'a> {
     /// The operation of a value.
     pub(super) fn operation_of(&self, value: Value) -> &Op {
         &self.program.get(value).op
+    }
+
+    /// The values needed for `roots`, in order of computation.
+    pub(super) fn needed(&self, roots: &[Value]) -> Vec<Value> {
+        self.program.needed(roots)
     }
 
     /// The number that a value is.

@@ -45,18 +45,68 @@ impl Builder<'_> {
             (Exact(a), Exact(b)) => Exact(a + b),
             (a, b) if b.is_zero() => a.clone(),
             (a, b) if a.is_zero() => b.clone(),
-            (a, b) => {
-                let (a, b) = (self.coefficient(a), self.coefficient(b));
-                Coefficient::Value(self.add(a, b))
-            }
+            (a, b) => match (self.negated_by(a), self.negated_by(b)) {
+                (_, Some(b)) => self.minus(a, &b),
+                (Some(a), None) => self.minus(b, &a),
+                (None, None) => {
+                    let (a, b) = (self.coefficient(a), self.coefficient(b));
+                    Coefficient::Value(self.add(a, b))
+                }
+            },
         }
     }
 
     pub(super) fn negative(&mut self, a: &Coefficient) -> Coefficient {
         match a {
             Exact(a) => Exact(-a),
+            Coefficient::Value(value) if self.joins => match *self.operation_of(*value) {
+                Op::Neg(a) => Coefficient::Value(a),
+                Op::Sub(a, b) => Coefficient::Value(self.sub(b, a)),
+                _ => match self.factor(*value) {
+                    Some((number, rest)) => self.times(&Exact(-number), &rest),
+                    None => Coefficient::Value(self.push(Op::Neg(*value))),
+                },
+            },
             Coefficient::Value(a) => Coefficient::Value(self.push(Op::Neg(*a))),
         }
+    }
+
+    /// b, where a is -b, and signs move into sums.
+    fn negated_by(&self, a: &Coefficient) -> Option<Coefficient> {
+        match a {
+            Coefficient::Value(value) if self.joins => match *self.operation_of(*value) {
+                Op::Neg(b) => Some(Coefficient::Value(b)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The factor of a product that is a number, and the other one.
+    fn factor(&self, value: Value) -> Option<(BigRational, Coefficient)> {
+        let Op::Mul(a, b) = *self.operation_of(value) else { return None };
+        let of = |number, rest| Some((self.constant(number)?.clone(), Coefficient::Value(rest)));
+        of(a, b).or_else(|| of(b, a))
+    }
+
+    /// a b with one factor in place of two that are numbers, and with its sign outside.
+    fn joined_product(&mut self, a: &Coefficient, b: &Coefficient) -> Option<Coefficient> {
+        for (a, b) in [(a, b), (b, a)] {
+            if let Some(a) = self.negated_by(a) {
+                let product = self.times(&a, b);
+                return Some(self.negative(&product));
+            }
+            if let (Exact(number), Coefficient::Value(value)) = (a, b) {
+                return Some(match self.factor(*value) {
+                    Some((own, rest)) => self.times(&Exact(own * number), &rest),
+                    None => {
+                        let number = self.number(number.clone());
+                        Coefficient::Value(self.mul(number, *value))
+                    }
+                });
+            }
+        }
+        None
     }
 
     pub(super) fn minus(&mut self, a: &Coefficient, b: &Coefficient) -> Coefficient {
@@ -64,10 +114,13 @@ impl Builder<'_> {
             (Exact(a), Exact(b)) => Exact(a - b),
             (a, b) if b.is_zero() => a.clone(),
             (a, b) if a.is_zero() => self.negative(b),
-            (a, b) => {
-                let (a, b) = (self.coefficient(a), self.coefficient(b));
-                Coefficient::Value(self.sub(a, b))
-            }
+            (a, b) => match self.negated_by(b) {
+                Some(b) => self.plus(a, &b),
+                None => {
+                    let (a, b) = (self.coefficient(a), self.coefficient(b));
+                    Coefficient::Value(self.sub(a, b))
+                }
+            },
         }
     }
 
@@ -78,8 +131,11 @@ impl Builder<'_> {
             (Exact(one), other) | (other, Exact(one)) if one.is_one() => other.clone(),
             (Exact(one), other) | (other, Exact(one)) if (-one).is_one() => self.negative(other),
             (a, b) => {
-                let (a, b) = (self.coefficient(a), self.coefficient(b));
-                Coefficient::Value(self.mul(a, b))
+                let joined = if self.joins { self.joined_product(a, b) } else { None };
+                joined.unwrap_or_else(|| {
+                    let (a, b) = (self.coefficient(a), self.coefficient(b));
+                    Coefficient::Value(self.mul(a, b))
+                })
             }
         }
     }

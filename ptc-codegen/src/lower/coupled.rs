@@ -1,5 +1,7 @@
 //! The inputs of a plant with several of them, from what is wanted of each output.
 
+mod cofactors;
+
 use super::builder::Builder;
 use super::plant::control;
 use super::{rows, state};
@@ -55,41 +57,58 @@ pub(super) fn inputs(
     coupled: &Coupled,
     wanted: Vec<Value>,
 ) -> (Value, Vec<Value>, Option<Value>) {
-    let mut divisor = None;
-    let mut controls: Vec<Value> = match &coupled.inverse {
-        Inverse::Adjugate { determinant, adjugate, .. } => {
-            let over = (*determinant != Expression::integer(1)).then(|| {
-                let value = b.scalar(determinant);
-                let value = b.name(value, "determinant", "determinant of the decoupling matrix");
-                divisor = Some(value);
-                let one = b.integer(1);
-                let inverse = b.push(Op::Quotient(one, value));
-                b.name(inverse, "over_determinant", "its inverse: no number where it is 0")
-            });
+    let by_jets = b.jets.as_ref().and_then(|jets| jets.gains.clone());
+    let (mut controls, divisor) = match (&coupled.inverse, by_jets) {
+        (Inverse::Adjugate { .. }, Some(matrix)) => cofactors::inputs(b, &matrix, &wanted),
+        (Inverse::Adjugate { determinant, adjugate, .. }, None) => {
+            let one = *determinant == Expression::integer(1);
+            let determinant = (!one).then(|| b.scalar(determinant));
+            let over = determinant.map(|value| over_determinant(b, value));
             let times = |row: &Vec<Expression>| {
                 let sum = product(b, row, &wanted, None);
                 over.map_or(sum, |over| b.mul(sum, over))
             };
-            adjugate.iter().map(times).collect()
+            (adjugate.iter().map(times).collect(), determinant)
         }
-        Inverse::Elimination { matrix, .. } => {
+        (Inverse::Elimination { .. }, Some(matrix)) => {
+            let entries = matrix.iter().flatten().map(|entry| b.coefficient(entry)).collect();
+            eliminated(b, entries, wanted)
+        }
+        (Inverse::Elimination { matrix, .. }, None) => {
             let entries = matrix.iter().flatten().map(|entry| b.scalar(entry)).collect();
-            let m = wanted.len();
-            let solved = b.push(Op::Elimination { matrix: entries, right: wanted });
-            let solved = b.name(solved, "inputs", "those that decouple the outputs");
-            divisor = Some(b.push(Op::Element(solved, m)));
-            (0..m).map(|index| b.push(Op::Element(solved, index))).collect()
+            eliminated(b, entries, wanted)
         }
-        Inverse::Inertia { inertia, bias } => {
+        (Inverse::Inertia { inertia, bias }, _) => {
             let force = |(row, bias): (&Vec<Expression>, &Expression)| {
                 let bias = (*bias != Expression::integer(0)).then(|| b.scalar(bias));
                 product(b, row, &wanted, bias)
             };
-            inertia.iter().zip(bias).map(force).collect()
+            (inertia.iter().zip(bias).map(force).collect(), None)
         }
     };
     let first = controls.remove(0);
     (first, controls, divisor)
+}
+
+/// The solution of the equations of more outputs than have a closed form, and their determinant.
+fn eliminated(
+    b: &mut Builder<'_>,
+    matrix: Vec<Value>,
+    wanted: Vec<Value>,
+) -> (Vec<Value>, Option<Value>) {
+    let m = wanted.len();
+    let solved = b.push(Op::Elimination { matrix, right: wanted });
+    let solved = b.name(solved, "inputs", "those that decouple the outputs");
+    let divisor = b.push(Op::Element(solved, m));
+    ((0..m).map(|index| b.push(Op::Element(solved, index))).collect(), Some(divisor))
+}
+
+/// The inverse of the determinant of the decoupling matrix.
+fn over_determinant(b: &mut Builder<'_>, determinant: Value) -> Value {
+    let value = b.name(determinant, "determinant", "determinant of the decoupling matrix");
+    let one = b.integer(1);
+    let inverse = b.push(Op::Quotient(one, value));
+    b.name(inverse, "over_determinant", "its inverse: no number where it is 0")
 }
 
 /// A row times the wanted derivatives, and `more`.

@@ -3,6 +3,7 @@
 use num_traits::Zero;
 
 use super::builder::Builder;
+use super::coefficients::Coefficient;
 use crate::algebra::BigRational;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
@@ -15,6 +16,12 @@ use crate::request::Spec;
 /// u divided by g(x, t), never by zero where it is no number.
 pub(super) fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
     let spec = b.spec;
+    // Several outputs have their gains in their decoupling.
+    let of_jets = b.jets.as_ref().filter(|_| b.form.is_some());
+    let of_jets = of_jets.and_then(|jets| jets.gains.clone());
+    if let Some(gain) = of_jets.iter().flatten().flatten().next() {
+        return over_gain(b, u, gain);
+    }
     let own = b.form.as_ref().map_or(&spec.input_gain, |form| &form.input_gain);
     let Some(gain) = &own.clone() else { return u };
     if let Some(number) = input_gain_number(spec, gain) {
@@ -37,6 +44,21 @@ pub(super) fn over_input_gain(b: &mut Builder<'_>, u: Value) -> Value {
             b.push(Op::Quotient(u, divisor))
         }
     }
+}
+
+/// u divided by a gain that is differentiated; by its inverse, where it is a quotient.
+fn over_gain(b: &mut Builder<'_>, u: Value, gain: &Coefficient) -> Value {
+    let gain = match gain {
+        Coefficient::Exact(number) => return over_number(b, u, number),
+        Coefficient::Value(gain) => *gain,
+    };
+    if let Op::Div(numerator, denominator) = *b.operation_of(gain) {
+        let product = b.mul(u, denominator);
+        let numerator = b.name(numerator, "numerator", "of the input gain g(x, t)");
+        return b.push(Op::Quotient(product, numerator));
+    }
+    let gain = b.name(gain, "input_gain", "g(x, t)");
+    b.push(Op::Quotient(u, gain))
 }
 
 /// The expression with the numbers that parameters keep: t0 is armed anew, whatever it is fixed at.

@@ -103,12 +103,13 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
     let n = b.spec.n;
     let scale = Some(time_to_go);
     let series = Series { offset: None, scale, terms: leading_terms(n, 1, -1) };
-    let point = Point { variable: Variable::TimeToGo, series };
+    let own = series.terms.clone();
+    let point = Point::of(Variable::TimeToGo, series);
     let stretched = b.scalar(&kappa.form);
     let rate = b.series(&kappa.rate, &point);
     let (unit, rate) = b.leading(rate);
     let unit = b.name(unit, "unit", "r1/T");
-    let first = b.product(&point.series.terms, &rate);
+    let first = b.product(&own, &rate);
     let mut tail = Vec::with_capacity(n);
     let mut last = first.clone();
     for l in 2..=n {
@@ -158,7 +159,7 @@ fn of_complement(b: &mut Builder<'_>, form: &Expression) -> Taylor {
 /// The series of t at `at`; none for 0.
 fn around(n: usize, at: Option<Value>) -> Point {
     let series = Series { offset: at, scale: None, terms: leading_terms(n, 0, 1) };
-    Point { variable: Variable::SinceStart, series }
+    Point::of(Variable::SinceStart, series)
 }
 
 fn leading_terms(n: usize, first: i64, second: i64) -> Vec<Coefficient> {

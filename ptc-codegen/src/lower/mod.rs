@@ -14,6 +14,7 @@ mod cotangent;
 mod coupled;
 mod exp_sum;
 mod input_gain;
+mod jet;
 mod mapping;
 mod plant;
 mod quantity;
@@ -24,6 +25,7 @@ mod scalar;
 mod series;
 mod soft;
 mod state;
+mod tangent;
 mod taylor;
 mod time;
 
@@ -54,11 +56,10 @@ pub fn lower(spec: &Spec, law: &Law) -> Program {
     Program { fma: spec.fma, latency: spec.latency, ..program }
 }
 
-fn controller(spec: &Spec, law: &Law, form: plant::Form) -> Program {
+fn controller(spec: &Spec, law: &Law, form: plant::Form) -> Option<Program> {
     let designs = spec.designs();
-    // Several outputs have their plant in their decoupling.
     let mut b = Builder::of(spec, law);
-    b.form = spec.decoupled().is_none().then_some(form);
+    form.enter(&mut b)?;
     let (step, others, determinant, shared) = match spec.decoupled() {
         Some(coupled) => {
             let (first, others, determinant) = coupled::controls(&mut b, law, coupled, &designs);
@@ -77,7 +78,7 @@ fn controller(spec: &Spec, law: &Law, form: plant::Form) -> Program {
     let limits = Limits { start_time, u_max, u_min, past, late, hold_from, eps, elapsed };
     let program = b.finish(step, limits);
     let Shared { gains, divisors, bounds, lower, axis, parts } = shared;
-    Program { others, gains, divisors, bounds, lower, axis, parts, determinant, ..program }
+    Some(Program { others, gains, divisors, bounds, lower, axis, parts, determinant, ..program })
 }
 
 /// u of a chain, and what several axes share; these have no step of one.

@@ -2,10 +2,13 @@
 //! operations once the numbers of the design are in it.
 
 use super::builder::Builder;
+use super::coefficients::Coefficient;
 use super::input_gain::{input_gain_number, over_input_gain, settled};
-use crate::algebra::BigRational;
+use super::jet::Motion;
+use crate::algebra::{BigRational, integer};
 use crate::expression::Expression;
 use crate::expression::grouped::{Grouped, grouped, quotient};
+use crate::internal::fault;
 use crate::program::cost::{X86_64, count};
 use crate::program::number::is_normal;
 use crate::program::{Definition, Op, Program, Stage, Value};
@@ -23,6 +26,8 @@ pub(super) struct Form {
     divided: bool,
     /// Factor of the rows of the law: 1/g, where that is a number and no gain is left.
     pub(super) scale: Option<BigRational>,
+    /// Motion by which the chain is expanded in place of its expressions, and whether the gains of the inputs are, too.
+    jets: Option<(Motion, bool)>,
 }
 
 impl Form {
@@ -35,6 +40,7 @@ impl Form {
             input_gain: spec.input_gain.clone(),
             divided: false,
             scale: None,
+            jets: None,
         }
     }
 
@@ -71,9 +77,48 @@ impl Form {
     }
 }
 
+impl Form {
+    /// The forms in which the chain is expanded by Taylor arithmetic, with the gain of the input as it is written,
+    /// as a number in the coefficients of `linear` laws, or differentiated in turn.
+    pub(super) fn by_jets(&self, spec: &Spec, linear: bool) -> Vec<Self> {
+        let mut forms = Vec::new();
+        for motion in Motion::all(spec) {
+            let with = |gains| Self { jets: Some((motion.clone(), gains)), ..self.clone() };
+            let several = spec.decoupled().is_some();
+            let number = self.input_gain.as_ref().map(|g| input_gain_number(spec, g));
+            match number {
+                None if !several => forms.push(with(false)),
+                Some(Some(g)) if linear => forms.push(Self {
+                    input_gain: None,
+                    divided: true,
+                    scale: Some(g.recip()),
+                    ..with(false)
+                }),
+                Some(Some(_)) => forms.push(with(false)),
+                _ => forms.extend([with(false), with(true)]),
+            }
+        }
+        forms
+    }
+
+    /// From here on the plant is computed in this form; `None` if it has none.
+    pub(super) fn enter(self, b: &mut Builder<'_>) -> Option<()> {
+        if let Some((motion, gains)) = &self.jets {
+            b.jets = Some(b.jets(motion, *gains)?);
+        }
+        // Several outputs have their plant in their decoupling.
+        b.form = b.spec.decoupled().is_none().then_some(self);
+        Some(())
+    }
+}
+
 /// The cheapest of the programs that `lower` makes of the forms of the plant, the request's own first.
 /// `linear` says whether the law is one of rows.
-pub(super) fn cheapest(spec: &Spec, linear: bool, lower: &dyn Fn(Form) -> Program) -> Program {
+pub(super) fn cheapest(
+    spec: &Spec,
+    linear: bool,
+    lower: &dyn Fn(Form) -> Option<Program>,
+) -> Program {
     let own = Form::own(spec);
     let lost = |definition: &Definition| match &definition.op {
         Op::Number(number) => !is_normal(number, spec.precision),
@@ -83,12 +128,12 @@ pub(super) fn cheapest(spec: &Spec, linear: bool, lower: &dyn Fn(Form) -> Progra
         let roots = [program.controls(), program.watched.clone()].concat();
         count(program, &roots, Stage::Tick).cycles(&X86_64)
     };
-    let mut best = lower(own.clone());
-    for form in own.others(spec, linear) {
+    let Some(mut best) = lower(own.clone()) else { fault("a plant without its own form") };
+    for form in own.others(spec, linear).into_iter().chain(own.by_jets(spec, linear)) {
         if form == own {
             continue;
         }
-        let other = lower(form);
+        let Some(other) = lower(form) else { continue };
         if !other.values.iter().any(lost) && cost(&other) < cost(&best) {
             best = other;
         }
@@ -132,7 +177,15 @@ fn wanted(b: &mut Builder<'_>, law: Value) -> Value {
 fn less_drift(b: &mut Builder<'_>, value: Value, meaning: &str) -> Value {
     let own = b.form.as_ref().map_or(&b.spec.drift, |form| &form.drift);
     let Some(drift) = own.clone() else { return value };
-    let drift = b.scalar(&drift);
+    let drift = match b.derivative(b.spec.n) {
+        Some(rate) => {
+            let scale = b.form.as_ref().and_then(|form| form.scale.clone());
+            let scale = Coefficient::Exact(scale.unwrap_or(integer(1)));
+            let rate = b.scaled_jet(&rate, &scale);
+            b.coefficient(&rate)
+        }
+        None => b.scalar(&drift),
+    };
     let drift = b.name(drift, "drift", meaning);
     b.sub(value, drift)
 }

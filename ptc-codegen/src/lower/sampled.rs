@@ -19,21 +19,20 @@ pub fn at_sample(spec: &Spec) -> Program {
     let mut spec = Spec { reference: None, ..spec.clone() };
     spec.axes.iter_mut().for_each(|axes| axes.references.clear());
     let spec = &spec;
-    match spec.decoupled() {
-        Some(coupled) => of_outputs(spec, coupled),
-        None => cheapest(spec, false, &|form| of_form(spec, form)),
-    }
+    cheapest(spec, false, &|form| match spec.decoupled() {
+        Some(coupled) => of_outputs(spec, coupled, form),
+        None => of_form(spec, form),
+    })
 }
 
-fn of_form(spec: &Spec, form: Form) -> Program {
-    let coordinates = form.coordinates.clone();
+fn of_form(spec: &Spec, form: Form) -> Option<Program> {
     let mut b = Builder::new(spec);
-    b.form = Some(form);
-    let watched = coordinates.iter().map(|coordinate| b.scalar(coordinate)).collect();
+    form.enter(&mut b)?;
+    let watched = (1..=spec.n).map(|j| b.chain(j)).collect();
     let wanted = b.push(Op::Input(Input::Wanted(1)));
     let step = control(&mut b, wanted);
     let limits = no_limits(&mut b);
-    Program { watched, ..b.finish(step, limits) }
+    Some(Program { watched, ..b.finish(step, limits) })
 }
 
 /// The known reference of `spec` at time t since the start, that of a sample: r, ..., r^(n-1) there, then r^(n)
@@ -65,11 +64,15 @@ pub fn reference_at_sample(spec: &Spec, sampled: &Sampled) -> Program {
     super::closed_loop::plant(spec, &all)
 }
 
-fn of_outputs(spec: &Spec, coupled: &Coupled) -> Program {
+fn of_outputs(spec: &Spec, coupled: &Coupled, form: Form) -> Option<Program> {
     let designs = spec.designs();
     let mut b = Builder::new(spec);
-    let coordinates = coupled.outputs.iter().flat_map(|output| &output.coordinates);
-    let watched = coordinates.map(|coordinate| b.scalar(coordinate)).collect();
+    form.enter(&mut b)?;
+    let mut watched = Vec::new();
+    for (index, own) in (1..).zip(&designs) {
+        b.of_axis(own, index);
+        watched.extend((1..=own.n).map(|j| b.chain(j)));
+    }
     let mut wanted = Vec::with_capacity(designs.len());
     for (index, own) in (1..).zip(&designs) {
         b.of_axis(own, index);
@@ -79,5 +82,5 @@ fn of_outputs(spec: &Spec, coupled: &Coupled) -> Program {
     b.of_all(spec);
     let (step, others, determinant) = inputs(&mut b, coupled, wanted);
     let limits = no_limits(&mut b);
-    Program { watched, others, determinant, ..b.finish(step, limits) }
+    Some(Program { watched, others, determinant, ..b.finish(step, limits) })
 }

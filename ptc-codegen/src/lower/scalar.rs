@@ -16,7 +16,7 @@ impl Builder<'_> {
     }
 
     /// The value of a part of an expression, with those of the parts that are found.
-    fn part(&mut self, expression: &Expression, found: &mut Found<Value>) -> Value {
+    pub(super) fn part(&mut self, expression: &Expression, found: &mut Found<Value>) -> Value {
         if let Some(known) = found.get(expression) {
             return *known;
         }

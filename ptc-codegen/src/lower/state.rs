@@ -153,11 +153,22 @@ impl Builder<'_> {
         let Some(model) = &self.spec.model else {
             return self.push(Op::Input(Input::State(j)));
         };
-        let coordinate = &model.coordinates[j - 1];
-        let own = self.form.as_ref().and_then(|form| form.coordinates.get(j - 1)).cloned();
-        let value = self.scalar(&own.unwrap_or_else(|| coordinate.clone()));
-        let meaning = format!("x{j} of the chain: {}", model.text(coordinate));
+        let meaning = format!("x{j} of the chain: {}", model.text(&model.coordinates[j - 1]));
+        let value = self.chain(j);
         self.name(value, &format!("chain{j}"), &meaning)
+    }
+
+    /// Coordinate x_j of the chain of a model, in the form that is computed.
+    pub(super) fn chain(&mut self, j: usize) -> Value {
+        if let Some(derivative) = self.derivative(j - 1) {
+            return self.coefficient(&derivative);
+        }
+        let own = self.form.as_ref().and_then(|form| form.coordinates.get(j - 1));
+        let of_model = || self.spec.model.as_ref()?.coordinates.get(j - 1);
+        match own.or_else(of_model).cloned() {
+            Some(coordinate) => self.scalar(&coordinate),
+            None => fault("a coordinate beyond the chain of a model"),
+        }
     }
 
     /// State xi_j at the start, from the latched state of the plant.

@@ -65,6 +65,22 @@ impl Chain {
     }
 }
 
+/// The same where all inputs are 0.
+pub(crate) fn at_rest(e: &Expression, inputs: &[Variable]) -> Expression {
+    let is_input = |e: &Expression| e.variable().is_some_and(|v| inputs.contains(&v));
+    e.substitute(&|leaf| is_input(leaf).then(|| Expression::integer(0)))
+}
+
+/// The gains of one of the inputs in rates that are affine in all of them.
+pub(crate) fn gains(
+    dynamics: &[Expression],
+    input: Variable,
+    inputs: &[Variable],
+) -> Vec<Expression> {
+    let slope = |rate: &Expression| shorter(at_rest(&rate.derivative(input), inputs));
+    dynamics.iter().map(slope).collect()
+}
+
 /// z' = drifts + the sum of gains times input.
 pub(super) struct Affine<'a> {
     /// Names of the states, and of the input where there is one alone.
@@ -82,9 +98,7 @@ impl<'a> Affine<'a> {
         values: &Values,
     ) -> Result<Self, Ill> {
         let is_input = |e: &Expression| e.variable().is_some_and(|v| inputs.contains(&v));
-        let at_rest =
-            |e: &Expression| e.substitute(&|leaf| is_input(leaf).then(|| Expression::integer(0)));
-        let drifts = dynamics.iter().map(|rate| shorter(at_rest(rate))).collect();
+        let drifts = dynamics.iter().map(|rate| shorter(at_rest(rate, inputs))).collect();
         let mut plant = Self { names, drifts, gains: Vec::with_capacity(inputs.len()) };
         for (which, input) in inputs.iter().enumerate() {
             let mut gains = Vec::with_capacity(dynamics.len());
@@ -99,7 +113,7 @@ impl<'a> Affine<'a> {
                 let still = |v: &Variable| is_zero(&slope.derivative(*v), values) == Some(true);
                 gains.push(match tidied.any(&is_input) {
                     false => tidied,
-                    true if inputs.iter().all(still) => shorter(at_rest(&slope)),
+                    true if inputs.iter().all(still) => shorter(at_rest(&slope, inputs)),
                     true => return Err(curved()),
                 });
             }

@@ -9,6 +9,7 @@ pub(crate) mod zeros;
 
 pub use coupled::{Coupled, Inverse, Output};
 pub use lie::{Chain, Ill};
+pub(crate) use lie::{at_rest, gains};
 
 use std::collections::BTreeMap;
 

@@ -1,6 +1,6 @@
 //! Sums, products, quotients and powers of series.
 
-use super::Series;
+use super::{Leading, Series};
 use crate::expression::Expression;
 use crate::lower::builder::Builder;
 use crate::lower::coefficients::Coefficient::{self, Exact};
@@ -61,7 +61,7 @@ impl Builder<'_> {
         }
     }
 
-    pub(super) fn multiplied(&mut self, a: Series, b: Series) -> Series {
+    pub(super) fn multiplied(&mut self, a: Series, b: Series, leading: Leading) -> Series {
         let (a, b) = if a.is_constant() { (b, a) } else { (a, b) };
         if b.is_constant() {
             let b = self.joined(b);
@@ -75,7 +75,28 @@ impl Builder<'_> {
         }
         let (a, b) = (self.joined(a), self.joined(b));
         let scale = self.scale_product(a.scale, b.scale);
-        Series::new(scale, self.product(&a.terms, &b.terms))
+        let terms = match leading {
+            Leading::Within if a.terms == b.terms => {
+                (0..a.terms.len()).map(|k| self.square_term(&a.terms, k)).collect()
+            }
+            _ => self.product(&a.terms, &b.terms),
+        };
+        Series::new(scale, terms)
+    }
+
+    /// Term k of a square, each mixed product once.
+    pub(super) fn square_term(&mut self, a: &[Coefficient], k: usize) -> Coefficient {
+        let mut one = |_: &mut Self, _| Coefficient::integer(1);
+        let mixed = match k {
+            0 => Coefficient::integer(0),
+            k => self.convolution(a, a, k, 0..=(k - 1) / 2, &mut one),
+        };
+        let twice = self.times(&Coefficient::integer(2), &mixed);
+        let middle = match k.is_multiple_of(2) {
+            true => self.times(&a[k / 2], &a[k / 2]),
+            false => Coefficient::integer(0),
+        };
+        self.plus(&twice, &middle)
     }
 
     pub(in crate::lower) fn product(
@@ -110,7 +131,11 @@ impl Builder<'_> {
         (leading, terms)
     }
 
-    pub(super) fn divided(&mut self, a: Series, b: Series) -> Series {
+    pub(super) fn divided(&mut self, a: Series, b: Series, leading: Leading) -> Series {
+        if leading == Leading::Within {
+            let (a, b) = (self.plain(&a), self.plain(&b));
+            return Series::new(None, self.quotient(&a, &b));
+        }
         let (leading, terms) = self.leading(b);
         let inverse = self.reciprocal(&terms);
         let a = self.joined(a);
@@ -121,6 +146,26 @@ impl Builder<'_> {
         };
         let scale = a.scale.unwrap_or_else(|| self.integer(1));
         Series::new(Some(self.div(scale, leading)), terms)
+    }
+
+    /// q with q b = a: b_0 q_k = a_k - sum_{j>=1} b_j q_(k-j).
+    fn quotient(&mut self, a: &[Coefficient], b: &[Coefficient]) -> Vec<Coefficient> {
+        let mut one = |_: &mut Self, _| Coefficient::integer(1);
+        let constant = b[1..].iter().all(Coefficient::is_zero);
+        let inverse = self.over(&Coefficient::integer(1), &b[0]);
+        let mut terms: Vec<Coefficient> = Vec::with_capacity(a.len());
+        for (k, term) in a.iter().enumerate() {
+            let rest = match k {
+                0 => term.clone(),
+                _ if constant => term.clone(),
+                k => {
+                    let sum = self.convolution(b, &terms, k, 1..=k, &mut one);
+                    self.minus(term, &sum)
+                }
+            };
+            terms.push(self.times(&rest, &inverse));
+        }
+        terms
     }
 
     /// 1/(1 + a_1 z + ...).
@@ -134,13 +179,13 @@ impl Builder<'_> {
         terms
     }
 
-    pub(super) fn raised(&mut self, a: Series, exponent: &Expression) -> Series {
+    pub(super) fn raised(&mut self, a: Series, exponent: &Expression, leading: Leading) -> Series {
         if let Some(k) = exponent.small_integer().filter(|k| k.unsigned_abs() <= 64 && *k != 0) {
-            let power = self.multiple(&a, k.unsigned_abs());
+            let power = self.multiple(&a, k.unsigned_abs(), leading);
             return if k < 0 {
                 let mut one = vec![Coefficient::integer(0); power.terms.len()];
                 one[0] = Coefficient::integer(1);
-                self.divided(Series::new(None, one), power)
+                self.divided(Series::new(None, one), power, leading)
             } else {
                 power
             };
@@ -155,13 +200,13 @@ impl Builder<'_> {
     }
 
     /// a^k by squares, for which a may be 0.
-    fn multiple(&mut self, a: &Series, k: u32) -> Series {
+    fn multiple(&mut self, a: &Series, k: u32, leading: Leading) -> Series {
         if k == 1 {
             return a.clone();
         }
-        let half = self.multiple(a, k / 2);
-        let square = self.multiplied(half.clone(), half);
-        if k % 2 == 1 { self.multiplied(square, a.clone()) } else { square }
+        let half = self.multiple(a, k / 2, leading);
+        let square = self.multiplied(half.clone(), half, leading);
+        if k % 2 == 1 { self.multiplied(square, a.clone(), leading) } else { square }
     }
 
     /// (1 + a_1 z + ...)^p: k w_k = sum_j (p j - (k - j)) a_j w_(k-j).

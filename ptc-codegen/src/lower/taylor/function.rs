@@ -1,6 +1,6 @@
 //! Functions of series, by the differential equations that they satisfy.
 
-use super::Series;
+use super::{Leading, Series};
 use crate::algebra::BigRational;
 use crate::expression::function::Slope;
 use crate::expression::{Expression, Function};
@@ -46,7 +46,7 @@ impl Builder<'_> {
                 let square: Vec<_> =
                     (0..inner.len()).map(|k| self.one_and_square(&inner, k, true)).collect();
                 let half = Expression::from(BigRational::new(1.into(), 2.into()));
-                let root = self.raised(Series::new(None, square), &half);
+                let root = self.raised(Series::new(None, square), &half, Leading::Apart);
                 let divisor = self.plain(&root);
                 self.inverse(value, (&inner, sign), &divisor)
             }
@@ -125,8 +125,13 @@ impl Builder<'_> {
 
     /// Term k of 1 + w^2 or 1 - w^2.
     fn one_and_square(&mut self, w: &[Coefficient], k: usize, minus: bool) -> Coefficient {
-        let mut one = |_: &mut Self, _| Coefficient::integer(1);
-        let square = self.convolution(w, w, k, 0..=k, &mut one);
+        let square = match self.joins {
+            true => self.square_term(w, k),
+            false => {
+                let mut one = |_: &mut Self, _| Coefficient::integer(1);
+                self.convolution(w, w, k, 0..=k, &mut one)
+            }
+        };
         let unit = Coefficient::integer(i64::from(k == 0));
         if minus { self.minus(&unit, &square) } else { self.plus(&unit, &square) }
     }
