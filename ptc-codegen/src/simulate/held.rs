@@ -22,10 +22,9 @@ pub(super) struct Held {
     rates: Vec<usize>,
     /// The terms of all values.
     terms: Terms,
-    /// The numbers of the rates, and those that they had before.
+    /// The numbers of the rates.
     plant: Numbers,
-    before: Numbers,
-    /// Lengths in s, each with what the plant comes to over it.
+    /// Lengths in s of this run, each with what the plant comes to over it.
     over: Vec<(f64, Over)>,
 }
 
@@ -117,19 +116,17 @@ impl Held {
             sums,
             terms: Terms::default(),
             plant: Numbers::default(),
-            before: Numbers::default(),
             over: Vec::new(),
         })
     }
 
     /// Takes the numbers of a plant with so many `inputs`.
     pub(super) fn settle(&mut self, along: &Along, inputs: usize) {
-        let Self { sums, needed, rates, terms, plant, before, .. } = self;
+        let Self { sums, needed, rates, terms, plant, .. } = self;
         terms.begin(sums.len(), rates.len() + inputs);
         for place in needed.iter().copied() {
             terms.sum(place, &sums[place], rates.len(), |value| along.machine.get(value));
         }
-        std::mem::swap(plant, before);
         plant.rates.resize(rates.len(), Vec::new());
         for (row, rate) in plant.rates.iter_mut().zip(&*rates) {
             row.clear();
@@ -146,9 +143,8 @@ impl Held {
                 plant.waves.push(Wave { angle: Value(angle), rate, is_cosine, column });
             }
         }
-        if !plant.moves_as(before) {
-            self.over.clear();
-        }
+        // A length stands for all that differ from it by a rounding, so one of another run would change last digits.
+        self.over.clear();
     }
 
     /// The state after `length` s from `t` on under u, of the program that is looked at; `None` where the exponential is beyond its numbers.
@@ -217,14 +213,6 @@ fn dot(row: &[f64], v: &[f64]) -> f64 {
 }
 
 impl Numbers {
-    /// Returns true if any length has the same effect as for another plant.
-    fn moves_as(&self, other: &Self) -> bool {
-        let moves = |(a, b): (&Wave, &Wave)| a.rate == b.rate && a.column == b.column;
-        self.rates == other.rates
-            && self.waves.len() == other.waves.len()
-            && self.waves.iter().zip(&other.waves).all(moves)
-    }
-
     /// Computes the effect of a length on the plant.
     fn over(&self, length: f64) -> Option<Over> {
         let (whole, integral) = flow(&self.rates, length)?;

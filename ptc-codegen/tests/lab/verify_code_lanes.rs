@@ -37,6 +37,7 @@ fn chains_in_samples_have_the_same_bits_in_lanes() {
         "sensor_step = [1e-4, 0]\ndelay = 1\n",
         "noise = [1e-3, 1e-2]\nu_step = 1e-2\njitter = 1e-3\ng_error = [0.9, 1.1]\n",
         "delay = \"1/2\"\nnoise_rms = [1e-4, 1e-3]\n",
+        "delay = \"1/2\"\njitter = 1e-3\n",
         "delay = \"5/2\"\nafter = \"zero\"\nprecision = \"f32\"\n",
         "innovation_max = 0.02\ncoast = 3\nnoise = [3e-2, 0]\n",
     ];
