@@ -53,7 +53,7 @@ fn a_path_is_relative_to_its_design_file() {
 }
 
 #[test]
-fn emitted_torques_are_those_of_the_pendulum() {
+fn emitted_torques_are_those_of_the_pendulum_and_0_on_failure() {
     let folder = written("robot_torque");
     let words = ["emit", "designs/pendulum.toml", "--lang", "c", "-o", "."];
     let (good, told) = run(&folder, &[&words[..], &["--name", "rod"]].concat());
@@ -61,7 +61,11 @@ fn emitted_torques_are_those_of_the_pendulum() {
     let main = "#include \"rod.h\"\n#include <math.h>\n#include <stdio.h>\nint main(void)\n{\n\
         const double q[1] = {0.7}, v[1] = {3.0}, a[1] = {-1.3};\n double torque[1];\n rod arm;\n const rod_params none = {0};\n\
         if (rod_init(&arm, &none) != PTC_OK || rod_inverse_dynamics(&arm, q, v, a, torque) != PTC_OK) { return 1; }\n\
-        return fabs(torque[0] - (2.0 * a[0] + 9.81 * cos(q[0]))) < 1e-14 ? 0 : 2;\n}\n";
+        if (fabs(torque[0] - (2.0 * a[0] + 9.81 * cos(q[0]))) > 1e-14) { return 2; }\n\
+        const double wrong[1] = {NAN}, large[1] = {1.7e308};\n torque[0] = 7.0;\n\
+        if (rod_inverse_dynamics(&arm, wrong, v, a, torque) != PTC_E_INPUT || torque[0] != 0.0) { return 3; }\n\
+        torque[0] = 7.0;\n\
+        return rod_inverse_dynamics(&arm, q, v, large, torque) == PTC_E_RANGE && torque[0] == 0.0 ? 0 : 4;\n}\n";
     fs::write(folder.join("main.c"), main).expect("writable");
     let compile = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror rod.c main.c -o rod -lm && ./rod";
     let done = std::process::Command::new("sh").args(["-c", compile]).current_dir(&folder).output();

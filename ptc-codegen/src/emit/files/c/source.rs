@@ -132,6 +132,12 @@ impl C<'_> {
         }
         let several = function.results.first().filter(|_| function.finish == Finish::Stands);
         self.inputs = several.and_then(|u| u.shape.length());
+        let fails = function.finish != Finish::Stands && !function.failures.is_empty();
+        let lists = function.results.iter().filter(|_| fails).filter_map(|result| {
+            matches!(result.shape, Shape::Reals(_))
+                .then(|| (result.name.clone(), result.shape.length().unwrap_or(0)))
+        });
+        self.lists = lists.collect();
         self.nested(&function.body, &mut |this| {
             let done = this.stored.is_some() && function.finish.results().is_some();
             this.finish(function, &function.finish, done && !this.zeroed);
@@ -294,7 +300,18 @@ impl C<'_> {
                 self.out.line(format!("*{} = {zero};", result.name));
             }
         }
+        self.clear_lists();
         self.out.line(format!("status = {};", word(status)));
+    }
+
+    /// Sets lists of results to 0: not from the start, as one may lie where an argument does.
+    pub(super) fn clear_lists(&mut self) {
+        let zero = self.literal("0.0");
+        for (name, count) in self.lists.clone() {
+            self.out.open(format!("for (uint32_t i = 0U; i < {count}U; i++) {{"));
+            self.out.line(format!("{name}[i] = {zero};"));
+            self.out.close("}");
+        }
     }
 
     fn hand_over(&mut self, function: &Function, values: &[Expr]) {
