@@ -147,7 +147,7 @@ pub use error::Error;
 /// | `reserve` | part of each limit that a planned deadline leaves free | a number from 0 up to, not including, 1 | 0 |
 /// | `in_flight` | whether the deadline may change while it runs: with `clock = samples` target and estimates too, with `clock = time` tau, which the design leaves out | `true` or `false` | `false`, `true` beside `late` |
 /// | `measured` | states that are measured, an observer gives the others; with `clock = samples` | `x1`, or `[x1, x2]` and so on without a gap | all |
-/// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`: it is estimated and cancelled; `none` | `none` |
+/// | `disturbance` | what is added to u and not known; with `clock = samples` | `constant`, `ramp` or `sine(omega=W)`: it is estimated and cancelled; `none` | `none` |
 /// | `observer` | law of the gains of the observer; with `clock = samples` | `prescribed`: a round; `stationary`: a Kalman filter | `prescribed` |
 /// | `disturbance_walk` | drift of the unknown disturbance in a second, as a standard deviation; of a stationary observer | a number > 0 | |
 /// | `observer_poles` | poles of the observer in stretched time; with `clock = samples` | one for each state that is estimated | |
@@ -161,6 +161,10 @@ pub use error::Error;
 /// | `keep_above` | lower bounds of x1, x2, ... that a filter keeps | a number or `-inf` for each, the last ones may be left out | `-inf` |
 /// | `keep_poles` | poles in 1/s with which the states approach these bounds | n numbers < 0 | |
 /// | `keep_tolerance` | distance beyond its bounds at which a state counts as within them | a number > 0 for each, the last ones may be left out | 2^-30 of the greater bound, in f32 2^-12 |
+/// | `urdf` | file of a robot; `ptc-codegen emit` writes its functions, and the macro refuses it | a path, relative to the design file | |
+/// | `base` | link of a robot that does not move | the name of a link | the root of the file |
+/// | `tip` | links at the ends of a robot | the name of a link, or a list | all that the base carries |
+/// | `gravity` | acceleration of gravity in the axes of a robot's base, m/s^2 | three numbers | `0,0,-9.81` |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0; with several outputs in samples also a list for each | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
 /// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope`, `zeros` | none |
