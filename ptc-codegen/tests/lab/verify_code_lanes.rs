@@ -106,7 +106,7 @@ fn several_axes_and_references_have_the_same_bits_in_lanes() {
     let states = ["x1_1", "x2_1", "x1_2", "x2_2"];
     for keys in [
         "clock = \"samples\"\nreference = [\"0.1*sin(2*t)\", \"0.2*t\"]\n",
-        "clock = \"samples\"\ndelay = 1\nlimits = [3, 2]\nnoise = 1e-3\n",
+        "clock = \"samples\"\nlimits = [3, 2]\nnoise = 1e-3\n",
         "limits = [3, 2]\nsensor_step = 1e-3\n",
         "precision = \"f32\"\n",
     ] {
