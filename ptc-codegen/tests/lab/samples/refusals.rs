@@ -35,14 +35,15 @@ fn mistakes_are_named() {
         ("sample_time", "0.01"),
         ("poles", "-3,-4"),
     ];
-    let cases: [(&str, &str, &str); 20] = [
+    let cases: [(&str, &str, &str); 21] = [
         ("sample_time", "0.3", "the nearest are 0.9 and 1.2"),
         ("tau", "0.01", "too few to come to rest"),
         ("mu", "tanh(a=1)", "exact law for the mapping exp alone"),
         ("measured", "x2", "name the measured states from x1 on"),
         ("measured", "x1", "`observer_poles` is missing"),
         ("observer_poles", "-3,-4", "`observer_poles` without an observer"),
-        ("disturbance", "ramp", "is not one of none, constant"),
+        ("disturbance", "wave", "is not one that is estimated"),
+        ("disturbance", "constnt", "did you mean `constant`?"),
         ("delay", "-0.5", "delay is a number from 0 to 16"),
         ("deadbeat", "1", "give an integer of at least 2"),
         ("g", "x1", "takes a constant input gain"),

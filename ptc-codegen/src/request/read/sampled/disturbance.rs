@@ -2,11 +2,13 @@
 
 use num_traits::Signed;
 
+use crate::diagnostic::near_miss;
 use crate::expression::constant::real;
 use crate::keys::KeyInfo;
 use crate::linear::Disturbance;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
+use crate::request::read::values::suggestion;
 use crate::request::read::{Reader, shown};
 use crate::syntax::{Argument, Node, Value};
 
@@ -28,8 +30,10 @@ impl Reader<'_> {
         let Some(omega) = omega else {
             let message =
                 format!("disturbance = {} is not one that is estimated", shown(&node.value));
+            let meant = near_miss(&node.value.to_string(), ["constant", "ramp", "none"]);
             let legal = KeyInfo::find(KEY).map_or("", |info| info.legal);
-            self.wrong(KEY, Some(node.place), message, format!("legal: {legal}"));
+            let help = suggestion(meant, &format!("legal: {legal}"));
+            self.wrong(KEY, Some(node.place), message, help);
             return Err(());
         };
         self.sampled_sine(spec, node, Disturbance::Sine(omega.clone())).map(Some).ok_or(())
