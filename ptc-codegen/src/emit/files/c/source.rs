@@ -133,10 +133,9 @@ impl C<'_> {
         let several = function.results.first().filter(|_| function.finish == Finish::Stands);
         self.inputs = several.and_then(|u| u.shape.length());
         let fails = function.finish != Finish::Stands && !function.failures.is_empty();
-        let lists = function.results.iter().filter(|_| fails).filter_map(|result| {
-            matches!(result.shape, Shape::Reals(_))
-                .then(|| (result.name.clone(), result.shape.length().unwrap_or(0)))
-        });
+        let is_list = |result: &&Variable| fails && matches!(result.shape, Shape::Reals(_));
+        let lists = function.results.iter().filter(is_list);
+        let lists = lists.map(|list| (list.name.clone(), list.shape.length().unwrap_or(0)));
         self.lists = lists.collect();
         self.nested(&function.body, &mut |this| {
             let done = this.stored.is_some() && function.finish.results().is_some();
