@@ -37,6 +37,7 @@ pub use interpret::InstanceLanes;
 #[cfg(feature = "files")]
 pub use interpret::{Argument, Called, Handle, Instance, Outcome, Slot};
 pub use iteration::Iteration;
+pub(crate) use operation::Written;
 pub use statement::{For, Place, Statement};
 pub use status::Status;
 pub use subroutine::{Given, Subroutine};

@@ -72,7 +72,7 @@ pub(crate) fn examine(
         return Ok(Vec::new());
     }
     let unseen = |condition| {
-        // Where the plant alone can be observed, it is the mode of the disturbance that cannot.
+        // A plant that can be observed alone leaves the mode of the disturbance.
         let alone = |_: &&Disturbance| examine(plant, h, delay, None, precision).is_ok();
         let mode = match disturbance.filter(alone) {
             Some(disturbance) => Some(disturbance.mode()),

@@ -15,10 +15,10 @@ use super::{Complex, Linear};
 use crate::algebra::BigRational;
 use crate::syntax::constant;
 
-/// Most powers of S that a sum has: those of a sine that is sampled twice a period leave 1e-80.
+/// Most powers of S that a sum has: those of a sine that is sampled twice a period leave 1e-130.
 const POWERS: usize = 120;
 
-/// What is added to u, and estimated.
+/// A disturbance that is added to u, and estimated.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Disturbance {
     /// A constant.
@@ -130,13 +130,11 @@ impl Generator {
             }
             let (own, next) = (coefficient(k), coefficient(k + 1));
             let less = -&even * &self.square;
-            match i {
+            let terms = match i {
                 0 => [&own * &even, &next * &even],
                 _ => [&next * &less, &own * &even],
-            }
-            .into_iter()
-            .zip(&mut sum)
-            .for_each(|(term, sum)| *sum += term);
+            };
+            sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             even = less;
         }
         if self.square.is_zero() { sum } else { rounded(sum) }
@@ -152,7 +150,8 @@ impl Pair {
     /// A chain with a disturbance as its last states, sampled with period `h`; `None` for a sine whose period is open.
     pub(crate) fn chain_with(
         disturbance: &Disturbance,
-        (n, gain): (usize, &BigRational),
+        n: usize,
+        gain: &BigRational,
         part: &BigRational,
         h: Option<&BigRational>,
     ) -> Option<Self> {

@@ -8,7 +8,7 @@ use crate::expression::Expression;
 use crate::law::Law;
 use crate::parameter::{Fixed, Parameter};
 use crate::program::passes::append;
-use crate::program::{Input, Least, Limits, Op, Program, Stage, Value};
+use crate::program::{Input, Limits, Op, Program, Stage, Value};
 use crate::request::Spec;
 
 use super::jet::Jets;
@@ -63,34 +63,8 @@ pub(super) struct PlantPoint {
 
 impl<'a> Builder<'a> {
     pub(super) fn new(spec: &'a Spec) -> Self {
-        let nothing = Value(0);
-        let program = Program {
-            precision: spec.precision,
-            fma: false,
-            latency: false,
-            in_flight: spec.changes_duration(),
-            values: Vec::new(),
-            limits: Limits {
-                start_time: None,
-                u_max: None,
-                u_min: Least::Opposite,
-                past: None,
-                late: nothing,
-                hold_from: nothing,
-                eps: nothing,
-                elapsed: None,
-            },
-            step: nothing,
-            others: Vec::new(),
-            gains: Vec::new(),
-            divisors: Vec::new(),
-            bounds: Vec::new(),
-            lower: Vec::new(),
-            axis: None,
-            parts: Vec::new(),
-            determinant: None,
-            watched: Vec::new(),
-        };
+        let program =
+            Program { in_flight: spec.changes_duration(), ..Program::empty(spec.precision) };
         Self {
             spec,
             expanded: None,

@@ -31,7 +31,7 @@ pub(super) struct Motion {
 pub(super) struct Jets {
     /// Each output with its derivatives, up to that of its order.
     outputs: Vec<Vec<Coefficient>>,
-    /// The gain of each input in the last derivative of each output; none where the request's own are computed.
+    /// The gain of each input in the last derivative of each output; `None` if those of the request are computed.
     pub(super) gains: Option<Vec<Vec<Coefficient>>>,
 }
 

@@ -245,6 +245,38 @@ impl Limits {
 }
 
 impl Program {
+    /// A program without values: all roles are those of value 0.
+    pub(crate) fn empty(precision: Precision) -> Self {
+        let nothing = Value(0);
+        Self {
+            precision,
+            fma: false,
+            latency: false,
+            in_flight: false,
+            values: Vec::new(),
+            limits: Limits {
+                start_time: None,
+                u_max: None,
+                u_min: Least::Opposite,
+                past: None,
+                late: nothing,
+                hold_from: nothing,
+                eps: nothing,
+                elapsed: None,
+            },
+            step: nothing,
+            others: Vec::new(),
+            gains: Vec::new(),
+            divisors: Vec::new(),
+            bounds: Vec::new(),
+            lower: Vec::new(),
+            axis: None,
+            parts: Vec::new(),
+            determinant: None,
+            watched: Vec::new(),
+        }
+    }
+
     /// Every u of one call of `step`.
     pub fn controls(&self) -> Vec<Value> {
         [&[self.step], self.others.as_slice()].concat()

@@ -41,6 +41,8 @@ pub use promises::{PlantBounds, Promises, Resonance, one_or_each};
 pub(crate) use read::derivatives;
 #[cfg(feature = "simulate")]
 pub use read::read_run;
+#[cfg(feature = "files")]
+pub(crate) use read::values::{LONGEST_NAME, chosen, hyphenated, named};
 pub use read::{Entry, read};
 pub(crate) use read::{items, known, meant, state_name};
 pub use reference::Reference;

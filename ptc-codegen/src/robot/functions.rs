@@ -1,10 +1,8 @@
 //! The functions of a robot as a program of statements, from their staged programs.
 
-use std::collections::BTreeMap;
-
 use super::{Quantity, Request, staged};
 use crate::code::{
-    Access, Code, Expr, Finish, Function, Owner, Shape, Statement, Status, Test, Variable,
+    Access, Code, Expr, Finish, Function, Owner, Shape, Statement, Status, Test, Variable, Written,
 };
 use crate::internal::fault;
 use crate::program::{Input, Op, Program, Value, passes};
@@ -95,32 +93,26 @@ struct Writer<'a> {
     program: &'a Program,
     /// Number of joints.
     n: usize,
-    uses: BTreeMap<Value, usize>,
-    known: BTreeMap<Value, Expr>,
+    written: Written,
     body: Vec<Statement>,
     temporaries: usize,
 }
 
 impl<'a> Writer<'a> {
     fn new(program: &'a Program, n: usize) -> Self {
-        let mut uses: BTreeMap<Value, usize> = BTreeMap::new();
-        for value in program.needed(&program.watched) {
-            program.get(value).op.operands().into_iter().for_each(|operand| {
-                *uses.entry(operand).or_default() += 1;
-            });
-        }
         // A result is a local value: it is tested, and then given.
-        program.watched.iter().for_each(|result| *uses.entry(*result).or_default() += 2);
-        Self { program, n, uses, known: BTreeMap::new(), body: Vec::new(), temporaries: 0 }
+        let written = Written::of(program, &program.watched, 2);
+        Self { program, n, written, body: Vec::new(), temporaries: 0 }
     }
 
     /// The statements, and the results.
     fn results(mut self) -> (Vec<Statement>, Vec<Expr>) {
         for value in self.program.needed(&self.program.watched) {
             let expression = self.value(value);
-            self.known.insert(value, expression);
+            self.written.insert(value, expression);
         }
-        let results = self.program.watched.iter().map(|result| self.expression(*result)).collect();
+        let watched = self.program.watched.iter();
+        let results = watched.map(|result| self.written.expression(*result)).collect();
         (self.body, results)
     }
 
@@ -128,24 +120,15 @@ impl<'a> Writer<'a> {
         let expression = match &self.program.get(value).op {
             Op::Number(number) => return Expr::Number(number.clone()),
             Op::Input(Input::State(j)) => return element(*j, self.n),
-            op => Expr::of(op, &mut |operand| self.expression(*operand))
+            op => Expr::of(op, &mut |operand| self.written.expression(*operand))
                 .unwrap_or_else(|| fault(format!("{op:?} of a robot"))),
         };
-        if self.uses.get(&value).is_none_or(|uses| *uses < 2) {
+        if !self.written.is_shared(value) {
             return expression;
         }
         self.temporaries += 1;
         let name = format!("w{}", self.temporaries);
         self.body.push(Statement::Let(name.clone(), Shape::Real, expression));
         Expr::local(name)
-    }
-
-    /// The expression of a value; for the only user it is moved out.
-    fn expression(&mut self, value: Value) -> Expr {
-        let known = match self.uses.get(&value) {
-            Some(1) => self.known.remove(&value),
-            _ => self.known.get(&value).cloned(),
-        };
-        known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
     }
 }

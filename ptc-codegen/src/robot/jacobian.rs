@@ -1,6 +1,6 @@
 //! The geometric Jacobian of the tip: its velocity and angular velocity, in the axes of the base, for each joint.
 
-use super::model::Joints;
+use super::model::{Joint, Joints};
 use super::tape::{Tape, Term};
 use super::vector::{Matrix, Vector, known, known_matrix, zero};
 use crate::urdf::{Body, Motion, Placement, Tip};
@@ -26,7 +26,7 @@ pub(super) fn entries(tape: &mut Tape, bodies: &[Body], tip: &Tip, joints: &Join
         let body = &bodies[index];
         let before = placed(tape, pose.as_ref(), &body.placement);
         let axis = before.rotation.each_ref().map(|row| row[2].clone());
-        let after = moved(tape, joints, (index, body.motion), (before, &axis));
+        let after = before.behind(tape, &joints.at(bodies, index), &axis);
         axes.push((index, axis, after.origin.clone()));
         pose = Some(after);
     }
@@ -65,21 +65,18 @@ fn placed(
     }
 }
 
-/// A frame behind the motion of a joint.
-fn moved(
-    tape: &mut Tape,
-    joints: &Joints,
-    (index, motion): (usize, Motion),
-    (before, axis): (Pose, &Vector),
-) -> Pose {
-    match (motion, joints.turn(index)) {
-        (Motion::Revolute, Some(turn)) => {
-            let rotation = before.rotation.each_ref().map(|row| tape.turn_back(turn, row));
-            Pose { rotation, ..before }
-        }
-        _ => {
-            let along = axis.each_ref().map(|own| tape.mul(own, &joints.positions[index]));
-            Pose { origin: tape.add_vectors(&before.origin, &along), ..before }
+impl Pose {
+    /// The frame behind the motion of a joint, whose axis is given in the base.
+    fn behind(self, tape: &mut Tape, joint: &Joint<'_>, axis: &Vector) -> Self {
+        match joint.turn {
+            Some(turn) => {
+                let rotation = self.rotation.each_ref().map(|row| tape.turn_back(turn, row));
+                Self { rotation, ..self }
+            }
+            None => {
+                let along = axis.each_ref().map(|own| tape.mul(own, joint.position));
+                Self { origin: tape.add_vectors(&self.origin, &along), ..self }
+            }
         }
     }
 }

@@ -1,9 +1,11 @@
 //! The mass matrix: composite rigid bodies.
 
-use super::model::{Joints, Model};
+use super::model::{Joint, Joints, Model};
 use super::tape::{Tape, Term};
 use super::vector::{Matrix, Turn, Vector, known, known_matrix, zero};
-use crate::urdf::{Body, Inertia, Motion, Placement};
+use super::wrench::Wrench;
+use crate::algebra::integer;
+use crate::urdf::{Inertia, Motion, Placement};
 
 /// Inertia of a body and of all that it carries, about the origin of its frame.
 #[derive(Clone)]
@@ -15,27 +17,25 @@ struct Composite {
 
 /// The entries of the mass matrix, row by row.
 pub(super) fn entries(tape: &mut Tape, model: &Model, joints: &Joints) -> Vec<Term> {
-    let n = model.bodies.len();
+    let bodies = &model.bodies;
+    let n = bodies.len();
     let mut composites: Vec<Composite> =
-        model.bodies.iter().map(|body| Composite::of(&body.inertia)).collect();
+        bodies.iter().map(|body| Composite::of(&body.inertia)).collect();
     let mut entries = vec![Term::zero(); n * n];
-    for (index, body) in model.bodies.iter().enumerate().rev() {
+    for (index, body) in bodies.iter().enumerate().rev() {
         let own = composites[index].clone();
         if let Some(parent) = body.parent {
-            let moved = own.in_parent(tape, body, joints, index);
+            let moved = own.in_parent(tape, &joints.at(bodies, index));
             composites[parent] = composites[parent].clone().with(tape, &moved);
         }
-        let (mut force, mut moment) = own.unit(tape, body.motion);
+        let mut wrench = own.unit(body.motion, tape);
         let mut at = index;
         loop {
-            let entry = match model.bodies[at].motion {
-                Motion::Revolute => moment[2].clone(),
-                Motion::Prismatic => force[2].clone(),
-            };
+            let entry = wrench.along(bodies[at].motion);
             entries[index * n + at] = entry.clone();
             entries[at * n + index] = entry;
-            let Some(parent) = model.bodies[at].parent else { break };
-            (force, moment) = in_parent(tape, &model.bodies[at], joints, (at, force, moment));
+            let Some(parent) = bodies[at].parent else { break };
+            wrench = wrench.in_parent(tape, &joints.at(bodies, at));
             at = parent;
         }
     }
@@ -60,37 +60,33 @@ impl Composite {
     }
 
     /// Force and moment of a unit acceleration of the joint, without any velocity.
-    fn unit(&self, tape: &mut Tape, motion: Motion) -> (Vector, Vector) {
+    fn unit(&self, motion: Motion, tape: &mut Tape) -> Wrench {
         let [x, y, _] = &self.first;
         match motion {
             Motion::Revolute => {
                 let force = [-y.clone(), x.clone(), Term::zero()];
                 let about = tape.add(&self.second[0][0], &self.second[1][1]);
-                (force, [-self.second[0][2].clone(), -self.second[1][2].clone(), about])
+                let moment = [-self.second[0][2].clone(), -self.second[1][2].clone(), about];
+                Wrench { force, moment }
             }
             Motion::Prismatic => {
-                let mut force = zero();
-                force[2] = self.mass.clone();
-                (force, [y.clone(), -x.clone(), Term::zero()])
+                let force = [Term::zero(), Term::zero(), self.mass.clone()];
+                Wrench { force, moment: [y.clone(), -x.clone(), Term::zero()] }
             }
         }
     }
 
     /// The same inertia in the frame of the parent.
-    fn in_parent(&self, tape: &mut Tape, body: &Body, joints: &Joints, index: usize) -> Self {
-        let own = match joints.turn(index) {
+    fn in_parent(&self, tape: &mut Tape, joint: &Joint<'_>) -> Self {
+        let own = match joint.turn {
             Some(turn) => Self {
                 mass: self.mass.clone(),
                 first: tape.turn(turn, &self.first),
                 second: turned(tape, turn, &self.second),
             },
-            None => {
-                let mut along = zero();
-                along[2] = joints.positions[index].clone();
-                self.shifted(tape, &along)
-            }
+            None => self.shifted(tape, &joint.slide()),
         };
-        let Placement { rotation, origin } = &body.placement;
+        let Placement { rotation, origin } = &joint.body.placement;
         let rotation = known_matrix(rotation);
         let first = tape.apply(&rotation, &own.first);
         // Columns of R S, which are rows of its transpose, as S is symmetric.
@@ -132,34 +128,11 @@ fn turned(tape: &mut Tape, Turn { cosine, sine }: &Turn, second: &Matrix) -> Mat
     let moved = tape.products(&[(&square, &differ), (&-twice_product, xy)]);
     let first = tape.add(yy, &moved);
     let last = tape.sub(xx, &moved);
-    let cosine_of_twice = tape.sub(&twice_square, &Term::from(&crate::algebra::integer(1)));
+    let cosine_of_twice = tape.sub(&twice_square, &Term::from(&integer(1)));
     let mixed = tape.products(&[(&product, &differ), (&cosine_of_twice, xy)]);
     let [x, y, _] = tape.turn(
         &Turn { cosine: cosine.clone(), sine: sine.clone() },
         &[xz.clone(), yz.clone(), Term::zero()],
     );
     [[first, mixed.clone(), x.clone()], [mixed, last, y.clone()], [x, y, zz.clone()]]
-}
-
-/// A force and a moment of a body in the frame of its parent, about the origin there.
-fn in_parent(
-    tape: &mut Tape,
-    body: &Body,
-    joints: &Joints,
-    (index, force, moment): (usize, Vector, Vector),
-) -> (Vector, Vector) {
-    let Placement { rotation, origin } = &body.placement;
-    let rotation = known_matrix(rotation);
-    let (force, moment) = match joints.turn(index) {
-        Some(turn) => (tape.turn(turn, &force), tape.turn(turn, &moment)),
-        None => {
-            let mut along = zero();
-            along[2] = joints.positions[index].clone();
-            let lever = tape.cross(&along, &force);
-            (force, tape.add_vectors(&moment, &lever))
-        }
-    };
-    let (force, moment) = (tape.apply(&rotation, &force), tape.apply(&rotation, &moment));
-    let lever = tape.cross(&known(origin), &force);
-    (force, tape.add_vectors(&moment, &lever))
 }

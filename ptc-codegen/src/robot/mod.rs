@@ -13,6 +13,7 @@ mod read;
 mod request;
 mod tape;
 mod vector;
+mod wrench;
 
 pub use functions::code;
 pub use quantity::Quantity;

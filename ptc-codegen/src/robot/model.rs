@@ -1,7 +1,7 @@
 //! The bodies of a robot with the least inertial parameters, and the inputs of its joints.
 
 use super::tape::{Tape, Term};
-use super::vector::Turn;
+use super::vector::{Turn, Vector, known_matrix};
 use crate::expression::Function;
 use crate::program::Input;
 use crate::urdf::{Body, Motion, Robot};
@@ -33,9 +33,9 @@ impl Model {
 
 /// Positions, velocities and accelerations of the joints.
 pub(super) struct Joints {
-    pub(super) positions: Vec<Term>,
-    pub(super) rates: Vec<Term>,
-    pub(super) accelerations: Vec<Term>,
+    positions: Vec<Term>,
+    rates: Vec<Term>,
+    accelerations: Vec<Term>,
     turns: Vec<Option<Turn>>,
 }
 
@@ -57,8 +57,53 @@ impl Joints {
         Self { positions, rates, accelerations, turns }
     }
 
-    /// The turn of a joint; `None` for one that slides.
-    pub(super) fn turn(&self, joint: usize) -> Option<&Turn> {
-        self.turns[joint].as_ref()
+    /// One of the joints of these bodies, by its index.
+    pub(super) fn at<'a>(&'a self, bodies: &'a [Body], index: usize) -> Joint<'a> {
+        Joint {
+            body: &bodies[index],
+            position: &self.positions[index],
+            rate: &self.rates[index],
+            acceleration: &self.accelerations[index],
+            turn: self.turns[index].as_ref(),
+        }
+    }
+}
+
+/// A joint, with the body that it moves.
+pub(super) struct Joint<'a> {
+    pub(super) body: &'a Body,
+    pub(super) position: &'a Term,
+    pub(super) rate: &'a Term,
+    pub(super) acceleration: &'a Term,
+    /// `None` for one that slides.
+    pub(super) turn: Option<&'a Turn>,
+}
+
+impl Joint<'_> {
+    /// A vector of the parent in the frame of the body.
+    pub(super) fn in_body(&self, tape: &mut Tape, vector: &Vector) -> Vector {
+        let rotation = known_matrix(&self.body.placement.rotation);
+        let fixed = tape.apply_transposed(&rotation, vector);
+        match self.turn {
+            Some(turn) => tape.turn_back(turn, &fixed),
+            None => fixed,
+        }
+    }
+
+    /// A vector of the body in the frame of its parent.
+    pub(super) fn in_parent(&self, tape: &mut Tape, vector: &Vector) -> Vector {
+        let rotation = known_matrix(&self.body.placement.rotation);
+        match self.turn {
+            Some(turn) => {
+                let before = tape.turn(turn, vector);
+                tape.apply(&rotation, &before)
+            }
+            None => tape.apply(&rotation, vector),
+        }
+    }
+
+    /// The way of a joint that slides, along z.
+    pub(super) fn slide(&self) -> Vector {
+        [Term::zero(), Term::zero(), self.position.clone()]
     }
 }

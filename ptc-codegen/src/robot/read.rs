@@ -2,14 +2,13 @@
 
 use num_traits::Zero;
 
-use super::request::LONGEST;
 use super::{Quantity, Request};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
-use crate::keys::{KeyInfo, ROBOT_FUNCTIONS};
-use crate::parameter::{Fixed, Precision, is_reserved};
-use crate::request::{Entry, Guard};
-use crate::syntax::{Node, Operator, Value, number};
+use crate::keys::ROBOT_FUNCTIONS;
+use crate::parameter::{Fixed, Precision};
+use crate::request::{Entry, Guard, chosen, hyphenated, named};
+use crate::syntax::{Node, Value, number};
 use crate::urdf::Ends;
 
 /// The keys that a robot takes.
@@ -154,36 +153,15 @@ impl<'a> Reader<'a> {
     }
 
     fn choice<T: Copy>(&mut self, key: &str, legal: &[(&str, T)]) -> Option<T> {
-        let entry = self.entry(key)?;
-        let word = entry.value.value.to_string();
-        if let Some((_, value)) = legal.iter().find(|(name, _)| *name == word) {
-            return Some(*value);
-        }
-        let names: Vec<_> = legal.iter().map(|(name, _)| *name).collect();
-        let message = format!("{key} = {word} is not one of {}", names.join(", "));
-        self.wrong(key, entry.value.place, message, format!("legal: {}", names.join(", ")));
-        None
+        let node = &self.entry(key)?.value;
+        let chosen = chosen(key, node, legal);
+        chosen.map_err(|(message, help)| self.wrong(key, node.place, message, help)).ok()
     }
 
     fn name(&mut self) -> Option<String> {
-        let entry = self.entry("name")?;
-        match &entry.value.value {
-            Value::Word(word) if word.len() <= LONGEST && !is_reserved(word) => Some(word.clone()),
-            other => {
-                let message = format!("{other} cannot name a robot");
-                let legal = KeyInfo::find("name").map_or("", |info| info.legal);
-                self.wrong("name", entry.value.place, message, format!("a name is {legal}"));
-                None
-            }
-        }
-    }
-}
-
-/// A word that may have hyphens, which read as differences.
-fn hyphenated(node: &Node) -> String {
-    match &node.value {
-        Value::Binary(Operator::Sub, a, b) => format!("{}-{}", hyphenated(a), hyphenated(b)),
-        other => other.to_string(),
+        let node = &self.entry("name")?.value;
+        let named = named(node, "a robot");
+        named.map_err(|(message, help)| self.wrong("name", node.place, message, help)).ok()
     }
 }
 

@@ -4,12 +4,9 @@ use super::Quantity;
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::parameter::{Precision, is_reserved};
-use crate::request::Guard;
+use crate::request::{Guard, LONGEST_NAME};
 use crate::syntax::constant;
 use crate::urdf::{self, Ends, Robot};
-
-/// Most letters of a name.
-pub(super) const LONGEST: usize = 48;
 
 /// Functions of a robot.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +68,8 @@ impl Request {
             return name.clone();
         }
         let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
-        let name: String = robot.name.chars().map(letter).take(LONGEST - "robot_".len()).collect();
+        let name: String =
+            robot.name.chars().map(letter).take(LONGEST_NAME - "robot_".len()).collect();
         let legal = name.starts_with(|c: char| c.is_ascii_alphabetic()) && !is_reserved(&name);
         if legal && !name.contains("__") { name } else { "robot".to_owned() }
     }

@@ -8,7 +8,7 @@ use crate::algebra::{BigRational, integer};
 use crate::expression::Function;
 use crate::parameter::Precision;
 use crate::program::passes::append;
-use crate::program::{Input, Least, Limits, Op, Program, Value};
+use crate::program::{Input, Op, Program, Value};
 
 /// A number of a program that is being written.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,35 +61,7 @@ pub(super) struct Tape {
 
 impl Tape {
     pub(super) fn new(precision: Precision, fma: bool) -> Self {
-        let nothing = Value(0);
-        let limits = Limits {
-            start_time: None,
-            u_max: None,
-            u_min: Least::Opposite,
-            past: None,
-            late: nothing,
-            hold_from: nothing,
-            eps: nothing,
-            elapsed: None,
-        };
-        let program = Program {
-            precision,
-            fma,
-            latency: false,
-            in_flight: false,
-            values: Vec::new(),
-            limits,
-            step: nothing,
-            others: Vec::new(),
-            gains: Vec::new(),
-            divisors: Vec::new(),
-            bounds: Vec::new(),
-            lower: Vec::new(),
-            axis: None,
-            parts: Vec::new(),
-            determinant: None,
-            watched: Vec::new(),
-        };
+        let program = Program { fma, ..Program::empty(precision) };
         let mut tape = Self { program, written: HashMap::new() };
         // The roles of a controller, which a robot does not have, are 0.
         tape.write(Op::Number(BigRational::zero()));

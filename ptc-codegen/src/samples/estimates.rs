@@ -95,7 +95,7 @@ impl Builder<'_> {
             return Pair::chain(n, &self.sampled.gain, &part);
         };
         let h = self.fixed(Parameter::SampleTime);
-        Pair::chain_with(disturbance, (n, &self.sampled.gain), &part, h)
+        Pair::chain_with(disturbance, n, &self.sampled.gain, &part, h)
             .unwrap_or_else(|| fault("a sine without a sample period"))
     }
 

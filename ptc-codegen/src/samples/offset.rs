@@ -1,7 +1,7 @@
 //! What is added to u in the plant: a force that is known, and a disturbance as it is estimated.
 //!
 //! Of a disturbance that moves, an input cancels the mean over the time in which it acts: what is left of x_n at the
-//! samples is 0, and of x_j a part h^(n+2-j)/12 of the rate.
+//! samples is 0, and of x_j some h^(n+2-j) times the rate.
 
 use std::ops::{Add, Mul};
 

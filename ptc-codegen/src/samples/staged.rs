@@ -1,10 +1,10 @@
 //! A staged program within the program of a controller in samples: what is known before a call goes into
 //! fields, the rest into statements of the call.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::controller::Builder;
-use crate::code::{Expr, Shape, Statement, Subroutine, parameter_name};
+use crate::code::{Expr, Shape, Statement, Subroutine, Written, parameter_name};
 use crate::internal::fault;
 use crate::program::{Input, Op, Program, Stage, Value, passes};
 
@@ -22,9 +22,7 @@ pub(super) struct Names {
 pub(super) struct Staged {
     program: Program,
     names: Names,
-    /// Users of each value.
-    uses: BTreeMap<Value, usize>,
-    known: BTreeMap<Value, Expr>,
+    written: Written,
     /// All that has been known, given away or not.
     done: BTreeSet<Value>,
     /// Number of values with their own name.
@@ -35,17 +33,9 @@ impl Staged {
     /// Begins the computation of a program whose time is the local value t.
     pub(super) fn new(program: Program, names: Names) -> Self {
         let program = passes::optimise(program, &mut |_, _| {});
-        let mut uses: BTreeMap<_, usize> = BTreeMap::new();
         let roots = [program.watched.clone(), program.controls()].concat();
-        roots.iter().for_each(|root| *uses.entry(*root).or_default() += 1);
-        for value in program.needed(&roots) {
-            let op = &program.get(value).op;
-            for operand in op.operands() {
-                *uses.entry(operand).or_default() += Expr::writes(op);
-            }
-        }
-        let (known, done) = (BTreeMap::new(), BTreeSet::new());
-        Self { program, names, uses, known, done, named: 0 }
+        let written = Written::of(&program, &roots, 1);
+        Self { program, names, written, done: BTreeSet::new(), named: 0 }
     }
 
     /// Statements before the values that it watches, and these with their names.
@@ -69,17 +59,7 @@ impl Staged {
         roots: &[Value],
     ) -> (Vec<Statement>, Vec<Expr>) {
         let body = self.body(builder, roots);
-        (body, roots.iter().map(|root| self.expression(*root)).collect())
-    }
-
-    /// Returns the expression of a value. For the only user it is moved out: the terms of a sum would be copied with
-    /// each term that is added.
-    fn expression(&mut self, value: Value) -> Expr {
-        let known = match self.uses.get(&value) {
-            Some(1) => self.known.remove(&value),
-            _ => self.known.get(&value).cloned(),
-        };
-        known.unwrap_or_else(|| fault(format!("value {} is used before it is computed", value.0)))
+        (body, roots.iter().map(|root| self.written.expression(*root)).collect())
     }
 
     /// Statements of what `roots` need and is not known yet.
@@ -88,7 +68,7 @@ impl Staged {
         for value in self.program.needed(roots) {
             if self.done.insert(value) {
                 let known = self.value(builder, value, &mut body);
-                self.known.insert(value, known);
+                self.written.insert(value, known);
             }
         }
         body
@@ -116,11 +96,11 @@ impl Staged {
             }
             Op::Number(number) => return Expr::Number(number.clone()),
             Op::Elimination { matrix, right } => return self.eliminated(matrix, right, body),
-            Op::Element(array, index) => match self.expression(*array) {
+            Op::Element(array, index) => match self.written.expression(*array) {
                 Expr::Local(array) => return Expr::Element(array, *index),
                 other => fault(format!("{other:?} is no array")),
             },
-            op => Expr::of(op, &mut |operand| self.expression(*operand))
+            op => Expr::of(op, &mut |operand| self.written.expression(*operand))
                 .unwrap_or_else(|| fault(format!("{op:?} at a sample"))),
         };
         if stage <= Stage::Init {
@@ -130,9 +110,7 @@ impl Staged {
         }
         let name = match self.program.watched.iter().position(|watched| *watched == value) {
             Some(place) => self.names.watched[place].clone(),
-            None if self.uses.get(&value).is_some_and(|uses| *uses > 1)
-                && !matches!(op, Op::Input(_)) =>
-            {
+            None if self.written.is_shared(value) && !matches!(op, Op::Input(_)) => {
                 self.named += 1;
                 format!("{local}{}", self.named)
             }
@@ -144,8 +122,8 @@ impl Staged {
 
     /// The local array that solves a system.
     fn eliminated(&mut self, matrix: &[Value], right: &[Value], body: &mut Vec<Statement>) -> Expr {
-        let [matrix, right]: [Vec<Expr>; 2] =
-            [matrix, right].map(|all| all.iter().map(|value| self.expression(*value)).collect());
+        let [matrix, right]: [Vec<Expr>; 2] = [matrix, right]
+            .map(|all| all.iter().map(|value| self.written.expression(*value)).collect());
         self.named += 1;
         let name = format!("{}{}", self.names.letters[1], self.named);
         let elimination = Subroutine::Elimination(right.len());

@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_shifted_body_has_the_moments_of_steiner() {
+    fn shifted_bodies_obey_the_parallel_axis_theorem() {
         let tensor = [1, 2, 3, 0, 0, 0].map(integer);
         let body = Inertia::central(integer(2), tensor);
         let shift = Placement { rotation: unit(), origin: [3, 0, 0].map(integer) };

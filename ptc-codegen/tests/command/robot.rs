@@ -34,7 +34,7 @@ fn run(folder: &Path, words: &[&str]) -> (bool, String) {
 }
 
 #[test]
-fn a_path_is_relative_to_its_design_file() {
+fn urdf_paths_are_relative_to_the_design_file() {
     let folder = written("robot_paths");
     let (good, told) = run(&folder, &["emit", "designs/pendulum.toml", "--lang", "c", "-o", "out"]);
     assert!(good, "{told}");
@@ -74,7 +74,7 @@ fn emitted_torques_are_those_of_the_pendulum_and_0_on_failure() {
 }
 
 #[test]
-fn what_is_of_controllers_is_refused() {
+fn flags_and_commands_of_controllers_are_refused() {
     let folder = written("robot_refused");
     let words = |more: &[&'static str]| [&["emit", "designs/pendulum.toml"], more].concat();
     for (words, expected) in [

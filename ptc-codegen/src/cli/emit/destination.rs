@@ -1,4 +1,4 @@
-//! Where the files of `emit` go: to the standard output, to a folder, or beside the files that they are compared with.
+//! Destination of the files of `emit`: the standard output, a folder, or the files that they are compared with.
 
 use std::path::Path;
 
@@ -85,7 +85,7 @@ fn joined(files: &[File], language: Language) -> String {
 
 /// Compares the files with those in `folder`.
 fn compare_folder(folder: &Path, files: &[File]) -> Result<(), Failure> {
-    // Of what is longer the first line that differs is shown.
+    // A longer file shows the first line that differs.
     let most = |file: &File| file.text.len() as u64 + 4096;
     compare(folder, files, &mut |file| read::start(&folder.join(&file.name), most(file)))
 }

@@ -42,7 +42,7 @@ impl Field {
         let pi = expression.any(&|e| *e == Expression::pi()).then_some(Expression::pi());
         let parameters = expression.parameters().into_iter().map(Expression::from);
         let mut field = Self::default();
-        // Where it is not left, the first operation finds that out.
+        // The first operation fails if it is not left.
         let _ = spend(FORMED);
         for name in pi.into_iter().chain(parameters) {
             // The one for which there is no room is found missing when it is looked for.

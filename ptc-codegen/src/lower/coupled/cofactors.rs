@@ -36,7 +36,7 @@ pub(super) fn inputs(
     (adjugate.iter().map(&mut input).collect(), divisor)
 }
 
-/// The determinant of what is left without a row and a column, with its sign.
+/// The determinant of the matrix without a row and a column, with its sign.
 fn cofactor(
     b: &mut Builder<'_>,
     matrix: &[Vec<Coefficient>],

@@ -17,7 +17,7 @@ mod robot;
 mod sampled;
 mod spec;
 mod units;
-mod values;
+pub(super) mod values;
 
 pub(crate) use entries::meant;
 pub(crate) use model::state_name;
@@ -31,9 +31,9 @@ use super::{MAX_ORDER, Spec};
 use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, counted, near_miss};
 use crate::keys::KeyInfo;
-use crate::parameter::{Fixed, Parameter, is_reserved, reason};
+use crate::parameter::{Fixed, Parameter};
 use crate::syntax::{Node, Value};
-use values::{count, shown, suggestion, whole};
+use values::{chosen, count, named, shown, suggestion, whole};
 
 /// One key with its value, as a front end found it: a parameter is `params.a`, a symbol of the plant
 /// `plant.load`, and a key that no other table has is itself, wherever a design file holds it.
@@ -182,37 +182,24 @@ impl<'a> Reader<'a> {
 
     fn name(&mut self) -> Option<String> {
         let node = self.keys.get("name").copied()?;
-        if let Value::Word(word) = &node.value
-            && word.len() <= 48
-            && !is_reserved(word)
-        {
-            return Some(word.clone());
+        match named(node, "a controller") {
+            Ok(name) => Some(name),
+            Err((message, help)) => {
+                self.wrong("name", Some(node.place), message, help);
+                None
+            }
         }
-        let message = format!("{} cannot name a controller", shown(&node.value));
-        let legal = KeyInfo::find("name").map_or("", |info| info.legal);
-        let why = match &node.value {
-            Value::Word(word) => reason(word).map(|why| format!("{why}; ")).unwrap_or_default(),
-            _ => String::new(),
-        };
-        self.wrong("name", Some(node.place), message, format!("{why}a name is {legal}"));
-        None
     }
 
     fn choice<T: Copy>(&mut self, key: &'static str, legal: &[(&str, T)]) -> Option<T> {
         let node = self.keys.get(key).copied()?;
-        let names = legal.iter().map(|(name, _)| *name);
-        let word = match &node.value {
-            Value::Word(word) => word.as_str(),
-            _ => "",
-        };
-        if let Some((_, value)) = legal.iter().find(|(name, _)| *name == word) {
-            return Some(*value);
+        match chosen(key, node, legal) {
+            Ok(value) => Some(value),
+            Err((message, help)) => {
+                self.wrong(key, Some(node.place), message, help);
+                None
+            }
         }
-        let meant = near_miss(word, names.clone());
-        let all = names.collect::<Vec<_>>().join(", ");
-        let message = format!("{key} = {} is not one of {all}", shown(&node.value));
-        self.wrong(key, Some(node.place), message, suggestion(meant, &format!("legal: {all}")));
-        None
     }
 
     /// `key` excludes the others of its group: the first that is given counts, each further one is

@@ -1,5 +1,6 @@
 //! The keys of a robot, which is not a controller.
 
+use super::values::hyphenated;
 use super::{Entry, Reader};
 use crate::diagnostic::Diagnostics;
 use crate::keys::ROBOT_FUNCTIONS;
@@ -26,7 +27,7 @@ impl Reader<'_> {
                 self.found.push("conflict", key, Some(entry.place), message, help);
             }
         }
-        let what = given("what").map(|entry| entry.value.value.to_string().replace(' ', ""));
+        let what = given("what").map(|entry| hyphenated(&entry.value));
         let function = what.filter(|what| ROBOT_FUNCTIONS.contains(&what.as_str()));
         if let (Some(what), Some(entry)) = (function, given("what")) {
             let message = format!("what = {what} without a robot");

@@ -6,10 +6,10 @@ use num_traits::ToPrimitive;
 
 use super::Reader;
 use crate::algebra::BigRational;
-use crate::diagnostic::{Place, shorten};
+use crate::diagnostic::{Place, near_miss, shorten};
 use crate::keys::KeyInfo;
-use crate::parameter::Fixed;
-use crate::syntax::{Node, Value};
+use crate::parameter::{Fixed, is_reserved, reason};
+use crate::syntax::{Node, Operator, Value};
 
 /// The items of a list, or the value itself.
 pub(crate) fn items(node: &Node) -> &[Node] {
@@ -106,4 +106,53 @@ pub(super) fn count(node: &Node, most: usize) -> Option<usize> {
 /// A value in a message, as it was written.
 pub(super) fn shown(value: &Value) -> String {
     format!("`{}`", shorten(&value.to_string()))
+}
+
+/// Most letters of the name of a controller or a robot.
+pub(crate) const LONGEST_NAME: usize = 48;
+
+/// Returns the name of `noun` that a value gives, or what is wrong with it and the likely fix.
+pub(crate) fn named(node: &Node, noun: &str) -> Result<String, (String, String)> {
+    if let Value::Word(word) = &node.value
+        && word.len() <= LONGEST_NAME
+        && !is_reserved(word)
+    {
+        return Ok(word.clone());
+    }
+    let legal = KeyInfo::find("name").map_or("", |info| info.legal);
+    let why = match &node.value {
+        Value::Word(word) => reason(word).map(|why| format!("{why}; ")).unwrap_or_default(),
+        _ => String::new(),
+    };
+    Err((format!("{} cannot name {noun}", shown(&node.value)), format!("{why}a name is {legal}")))
+}
+
+/// Returns the value of a word, or what is wrong with it and the likely fix.
+pub(crate) fn chosen<T: Copy>(
+    key: &str,
+    node: &Node,
+    legal: &[(&str, T)],
+) -> Result<T, (String, String)> {
+    let names = legal.iter().map(|(name, _)| *name);
+    let word = match &node.value {
+        Value::Word(word) => word.as_str(),
+        _ => "",
+    };
+    if let Some((_, value)) = legal.iter().find(|(name, _)| *name == word) {
+        return Ok(*value);
+    }
+    let meant = near_miss(word, names.clone());
+    let all = names.collect::<Vec<_>>().join(", ");
+    Err((
+        format!("{key} = {} is not one of {all}", shown(&node.value)),
+        suggestion(meant, &format!("legal: {all}")),
+    ))
+}
+
+/// A word that may have hyphens, which read as differences.
+pub(crate) fn hyphenated(node: &Node) -> String {
+    match &node.value {
+        Value::Binary(Operator::Sub, a, b) => format!("{}-{}", hyphenated(a), hyphenated(b)),
+        other => other.to_string(),
+    }
 }

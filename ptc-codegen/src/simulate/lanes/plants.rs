@@ -100,7 +100,7 @@ impl Plants {
     }
 
     /// Moves the states of some lanes under their inputs; the lanes whose states have no value at the end.
-    pub(super) fn move_on(&mut self, x: &mut [Pack], (u, times): (&[Pack], &Times)) -> Which {
+    pub(super) fn move_on(&mut self, x: &mut [Pack], u: &[Pack], times: &Times) -> Which {
         let alone = self.unknown(times);
         self.after(x, u, times.part);
         let mut lost = [false; LANES];

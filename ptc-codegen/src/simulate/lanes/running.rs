@@ -106,7 +106,7 @@ impl RunningLanes {
             return None;
         }
         let given = self.plants.start(lane, values, x0).ok()?;
-        self.controls.start(lane, &mut self.controller, (values, &given)).ok()?;
+        self.controls.start(lane, &mut self.controller, values, &given).ok()?;
         self.x.iter_mut().zip(x0).for_each(|(x, own)| x.0[lane] = *own);
         Some(())
     }
@@ -116,12 +116,12 @@ impl RunningLanes {
         let (since, _) = under.frames.since();
         let t = Pack::of(|lane| under.t0.0[lane] + since.0[lane]);
         self.change(under, &since);
-        under.happen(&since, &mut self.x, (&mut self.controls, &mut self.controller));
+        under.happen(&since, &mut self.x, &mut self.controls, &mut self.controller);
         let runs = under.jobs.map(|job| job.is_some());
         self.plants.measured(&t, &self.x, &runs, &mut self.measured);
         under.frames.measure(&mut self.measured);
         self.measured.truncate(self.sensors);
-        under.arm((&since, &t), &self.measured, (&mut self.controls, &mut self.controller));
+        under.arm(&since, &t, &self.measured, &mut self.controls, &mut self.controller);
         let now = Now { index: under.frames.index, t: &t, measured: &self.measured };
         self.given.copy_from_slice(self.controls.step(&now));
         if let Some(samples) = self.controls.deadline() {
@@ -137,7 +137,7 @@ impl RunningLanes {
                 done[job] = true;
             }
         }
-        self.move_on(under, (&since, u));
+        self.move_on(under, &since, u);
     }
 
     /// Ends the run of a lane, and gives its job, if it had one.
@@ -172,7 +172,7 @@ impl RunningLanes {
     }
 
     /// Moves the plants to their next samples under their inputs.
-    fn move_on(&mut self, under: &mut Under<'_>, (since, u): (&Pack, Vec<Pack>)) {
+    fn move_on(&mut self, under: &mut Under<'_>, since: &Pack, u: Vec<Pack>) {
         under.end_forces(since);
         let [from, over, to] = under.frames.next();
         let at = |time: &Pack| Pack::of(|lane| under.t0.0[lane] + time.0[lane]);
@@ -187,7 +187,7 @@ impl RunningLanes {
                 *acts = under.acting(input, u);
             }
             let times = Times { part, from: from.1, to: to.1, moves };
-            let lost = self.plants.move_on(&mut self.x, (&self.acts, &times));
+            let lost = self.plants.move_on(&mut self.x, &self.acts, &times);
             for lane in (0..LANES).filter(|lane| lost[*lane]) {
                 self.leave(under, lane);
             }

@@ -34,9 +34,6 @@ pub(super) struct Under<'a> {
     now: [Option<SampleEvents>; LANES],
 }
 
-/// The controllers of all lanes, and the one that runs by itself.
-pub(super) type Both<'c> = (&'c mut Controls, &'c mut Controller);
-
 impl<'a> Under<'a> {
     /// Lanes of loops with so many inputs, of which some are late.
     pub(super) fn new(late: usize, inputs: usize) -> Self {
@@ -87,8 +84,15 @@ impl<'a> Under<'a> {
         values
     }
 
-    /// Takes the events of a sample, and moves the targets.
-    pub(super) fn happen(&mut self, since: &Pack, x: &mut [Pack], (all, one): Both<'_>) {
+    /// Takes the events of a sample, and moves the targets: of the controllers of all lanes, each in turn as the one
+    /// that runs by itself.
+    pub(super) fn happen(
+        &mut self,
+        since: &Pack,
+        x: &mut [Pack],
+        all: &mut Controls,
+        one: &mut Controller,
+    ) {
         for lane in 0..LANES {
             let Some(queue) = &mut self.events[lane] else { continue };
             let now = queue.at(since.0[lane]);
@@ -105,9 +109,11 @@ impl<'a> Under<'a> {
     /// Arms the controllers that the events of a sample arm.
     pub(super) fn arm(
         &mut self,
-        (since, t): (&Pack, &Pack),
+        since: &Pack,
+        t: &Pack,
         measured: &[Pack],
-        (all, one): Both<'_>,
+        all: &mut Controls,
+        one: &mut Controller,
     ) {
         for lane in 0..LANES {
             let Some(now) = self.now[lane].take() else { continue };

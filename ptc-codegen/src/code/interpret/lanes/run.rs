@@ -21,12 +21,13 @@ pub(super) struct Run<'r> {
     /// Lanes that take the next step, and where it is.
     going: Set,
     next: usize,
-    /// Where each other lane waits; beyond all steps for one at its end. The earliest of these.
+    /// The step at which each other lane waits; beyond all steps for one at its end.
     waiting: [usize; LANES],
+    /// The earliest of these steps.
     nearest: usize,
 }
 
-/// Where a lane waits that goes on no more.
+/// The step of a lane at its end.
 const ENDED: usize = usize::MAX;
 
 impl<'r> Run<'r> {

@@ -58,7 +58,7 @@ impl Reader<'_> {
             self.refuse(message, "give `sensor_step`, `noise` or `noise_rms` of it: the gains weigh it against the disturbance");
             return None;
         }
-        let gains = gains(spec.n, (plant, disturbance), h, (walk.number()?, noise));
+        let gains = gains(spec.n, plant, disturbance, h, (walk.number()?, noise));
         if gains.is_none() {
             let message = "no stationary observer of this plant".to_owned();
             self.refuse(message, "a mode is not observed well enough: give `observer_poles`");
@@ -86,7 +86,8 @@ impl Reader<'_> {
 /// The gains for the standard deviation of the disturbance after a second, and the variance of each measured value.
 fn gains(
     n: usize,
-    (plant, disturbance): (Observed<'_>, &Disturbance),
+    plant: Observed<'_>,
+    disturbance: &Disturbance,
     h: &BigRational,
     (walk, noise): (&BigRational, Vec<BigRational>),
 ) -> Option<Vec<Vec<BigRational>>> {
@@ -94,8 +95,8 @@ fn gains(
     let pair = match plant.linear {
         Some(linear) => Pair::linear_with(disturbance, linear, h, &whole)?,
         None => {
-            let chain = (n + 1 - plant.measured, plant.gain);
-            Pair::chain_with(disturbance, chain, &whole, Some(h))?
+            let estimated = n + 1 - plant.measured;
+            Pair::chain_with(disturbance, estimated, plant.gain, &whole, Some(h))?
         }
     };
     let (phi, order) = (pair.in_units(h), pair.order());

@@ -43,7 +43,8 @@ impl Controls {
         &mut self,
         lane: usize,
         controller: &mut Controller,
-        (values, given): (&Values, &[f64]),
+        values: &Values,
+        given: &[f64],
     ) -> Result<(), Failure> {
         use crate::simulate::Control as _;
         controller.init(values, given)?;

@@ -1,0 +1,153 @@
+//! Mistakes in a URDF file, and in what is asked for of it.
+
+use ptc_codegen::robot;
+
+use super::entries;
+use super::lagrange::{tree, urdf};
+
+/// Replaces a part of the file of the tree, and tries to read it.
+fn refused(from: &str, to: &str, keys: &[(&str, &str)]) -> String {
+    let text = urdf(&tree());
+    assert!(text.contains(from), "{from}");
+    let given = [&[("urdf", "test.urdf"), ("what", "inverse-dynamics")], keys].concat();
+    let request = robot::read(&entries(&given)).expect("a request");
+    let found = request.robot(&text.replacen(from, to, 1)).expect_err("a mistake");
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(!found[0].help.is_empty());
+    found[0].message.clone()
+}
+
+#[test]
+fn mistakes_of_a_file_are_named_with_their_line() {
+    let joint = "<joint name=\"joint1\" type=\"revolute\">";
+    let parent = "<parent link=\"link0\"/>";
+    for (from, to, expected) in [
+        (
+            joint,
+            "<joint name=\"joint1\" type=\"floating\">",
+            "test.urdf, line 5: joint `joint1` is floating, which is not supported",
+        ),
+        (
+            joint,
+            "<joint name=\"joint1\" type=\"planar\">",
+            "test.urdf, line 5: joint `joint1` is planar, which is not supported",
+        ),
+        (
+            joint,
+            "<joint name=\"joint1\" type=\"ball\">",
+            "test.urdf, line 5: joint `joint1` has the unknown type `ball`",
+        ),
+        (
+            parent,
+            "<mimic joint=\"joint2\"/><parent link=\"link0\"/>",
+            "test.urdf, line 5: joint `joint1` mimics `joint2`, which is not supported",
+        ),
+        (
+            parent,
+            "<parent link=\"link3\"/>",
+            "test.urdf, line 5: link `link1` is in a loop of joints",
+        ),
+        (
+            "<link name=\"link0\"/>",
+            "<link name=\"link0\"/><link name=\"other\"/>",
+            "test.urdf: no joint connects the links link0, other",
+        ),
+        (
+            parent,
+            "<parent link=\"nothing\"/>",
+            "test.urdf, line 5: joint `joint1` names the unknown link `nothing`",
+        ),
+        (
+            "<child link=\"link2\"/>",
+            "<child link=\"link1\"/>",
+            "test.urdf, line 7: link `link1` is moved by `joint1` and by `joint2`: a loop",
+        ),
+        (
+            "<axis xyz=\"0 0 1\"/>",
+            "<axis xyz=\"0 0 0\"/>",
+            "test.urdf, line 5: the axis of joint `joint1` is 0",
+        ),
+        (
+            "<axis xyz=\"0 0 1\"/>",
+            "<axis xyz=\"0 0\"/>",
+            "test.urdf, line 5: xyz = \"0 0\" of <axis> is not three numbers",
+        ),
+        (
+            "<mass value=\"4\"/>",
+            "<mass value=\"heavy\"/>",
+            "test.urdf, line 4: value = \"heavy\" of <mass> is not a number",
+        ),
+        (
+            "<mass value=\"4\"/>",
+            "<mass value=\"-4\"/>",
+            "test.urdf, line 4: the mass of link `link1` is negative",
+        ),
+        ("<mass value=\"4\"/>", "", "test.urdf, line 4: the inertia of link `link1` has no <mass>"),
+        (
+            "<link name=\"link2\">",
+            "<link name=\"link1\">",
+            "test.urdf, line 6: there are two links called `link1`",
+        ),
+        (
+            "<robot name=\"test\">",
+            "<model><robot/>",
+            "test.urdf: it is not well-formed XML: expected 'model' tag, not 'robot' at 20:1",
+        ),
+    ] {
+        assert_eq!(refused(from, to, &[]), expected);
+    }
+    let message = refused("link0", "link0", &[("tip", "link9")]);
+    assert_eq!(message, "test.urdf: there is no link `link9`, which `tip` names");
+    let message = refused("link0", "link0", &[("base", "link5"), ("tip", "link2")]);
+    assert_eq!(message, "test.urdf: `link2` is not carried by `link5`");
+    let message = refused("link0", "link0", &[("base", "link8")]);
+    assert_eq!(message, "test.urdf: no joint moves between `link8` and its end");
+}
+
+#[test]
+fn loops_of_joints_are_refused() {
+    let from = "<joint name=\"joint4\" type=\"continuous\"><parent link=\"link3\"/>";
+    let to = "<joint name=\"joint4\" type=\"continuous\"><parent link=\"link5\"/>";
+    assert_eq!(refused(from, to, &[]), "test.urdf, line 11: link `link4` is in a loop of joints");
+}
+
+#[test]
+fn a_body_without_inertia_is_refused_by_its_joint() {
+    let text = urdf(&tree()[..1]);
+    let start = text.find("<inertial>").expect("an inertia");
+    let end = text.find("</inertial>").expect("its end") + "</inertial>".len();
+    let text = format!("{}{}", &text[..start], &text[end..]);
+    let of = |what: &str| {
+        let request =
+            robot::read(&entries(&[("urdf", "test.urdf"), ("what", what)])).expect("a request");
+        request.robot(&text)
+    };
+    let found = of("mass-matrix").expect_err("no inertia");
+    assert_eq!(found[0].message, "test.urdf: what joint `joint1` moves has no inertia");
+    assert!(of("jacobian").is_ok(), "the Jacobian needs no inertia");
+}
+
+#[test]
+fn mistakes_of_a_request_are_reported_at_once() {
+    let given = [
+        ("urdf", "a.urdf"),
+        ("what", "inverse-dynamic"),
+        ("gravity", "9.81"),
+        ("n", "3"),
+        ("guard", "half"),
+    ];
+    let found = robot::read(&entries(&given)).expect_err("mistakes");
+    let messages: Vec<_> = found.iter().map(|own| own.message.as_str()).collect();
+    assert_eq!(
+        messages,
+        [
+            "`n` beside `urdf`",
+            "what = inverse-dynamic of a robot",
+            "gravity = 9.81",
+            "guard = `half` is not one of full, result, none",
+        ]
+    );
+    assert_eq!(found[1].help, "did you mean inverse-dynamics?");
+    let found = robot::read(&entries(&[("urdf", "a.urdf")])).expect_err("no function");
+    assert_eq!(found[0].code, "missing-key");
+}
