@@ -347,11 +347,14 @@ int main(void)
         failed |= !(fabs(back[i] - x[i]) <= 1e-12);
     }
     failed |= !(fabs(u_back - u) <= 1e-11 * fabs(u));
-    /* What is no number is refused, and nothing is written. */
+    /* What is no number is refused, and the state is 0. */
     const double wrong[2] = {NAN, 0.0};
     back[0] = 42.0;
     failed |= swing_associated_state(&far, 0.25, wrong, back) != PTC_E_INPUT;
-    failed |= fabs(back[0] - 42.0) > 0.0;
+    failed |= fabs(back[0]) > 0.0;
+    back[1] = 42.0;
+    failed |= swing_associated_state(&far, 0.25, NULL, back) != PTC_E_INPUT;
+    failed |= fabs(back[1]) > 0.0;
     failed |= swing_associated_time(&far, 0.0, &there) != PTC_E_INPUT;
     failed |= swing_associated_start(&far, wrong, back) != PTC_E_INPUT;
     return failed;

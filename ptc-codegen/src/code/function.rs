@@ -70,7 +70,7 @@ pub enum Finish {
     If(Test, Box<Finish>, Box<Finish>),
     /// The results, those of arrays and gains one after the other, and the status.
     Give(Vec<Expr>, Ending),
-    /// A negative status; the results are 0, or nothing where they are arrays.
+    /// A negative status; the results are 0.
     Fail(Status),
     /// The results and the status are what statements have set.
     Stands,

@@ -1,7 +1,7 @@
 //! Functions of a robot from its URDF: inverse dynamics, the mass matrix, the Jacobian of the tip.
 //!
-//! Each is one staged program, in which the numbers of the robot are folded, and becomes a function of [`Code`] that
-//! every back end prints. [`read()`] gives what a design asks for, [`code`] makes the functions.
+//! Each is one staged program, in which the numbers of the robot are folded, and becomes a function of
+//! [`Code`](crate::code::Code) that every back end prints. [`read()`] gives what a design asks for, [`code`] makes the functions.
 
 mod functions;
 mod inverse_dynamics;

@@ -63,6 +63,7 @@ impl C<'_> {
             [result] => match result.shape {
                 Shape::Real => " On a negative status u is 0 and nothing has changed.".to_owned(),
                 Shape::Gains => " On a negative status *gains is unchanged.".to_owned(),
+                Shape::Reals(_) => format!(" On a negative status {} is 0.", result.name),
                 _ => format!(" On a negative status {} is unchanged.", result.name),
             },
             _ if code_axes => String::new(),

@@ -69,8 +69,6 @@ pub(super) struct C<'a> {
     standing: Option<Status>,
     /// Number of inputs that the function returns, if several.
     inputs: Option<usize>,
-    /// Lists of results of a function that can fail, with their lengths: a call that fails leaves them 0.
-    lists: Vec<(String, usize)>,
     /// True if scalar results are 0 from the start.
     zeroed: bool,
     /// True if the text is for another file, which lacks the macros of the source.
@@ -166,7 +164,6 @@ impl<'a> C<'a> {
             owner: "self->",
             standing: None,
             inputs: None,
-            lists: Vec::new(),
             zeroed: false,
             outside: false,
             stored: None,

@@ -132,11 +132,6 @@ impl C<'_> {
         }
         let several = function.results.first().filter(|_| function.finish == Finish::Stands);
         self.inputs = several.and_then(|u| u.shape.length());
-        let fails = function.finish != Finish::Stands && !function.failures.is_empty();
-        let is_list = |result: &&Variable| fails && matches!(result.shape, Shape::Reals(_));
-        let lists = function.results.iter().filter(is_list);
-        let lists = lists.map(|list| (list.name.clone(), list.shape.length().unwrap_or(0)));
-        self.lists = lists.collect();
         self.nested(&function.body, &mut |this| {
             let done = this.stored.is_some() && function.finish.results().is_some();
             this.finish(function, &function.finish, done && !this.zeroed);
@@ -145,8 +140,13 @@ impl C<'_> {
             }
         });
         if function.guarded {
-            self.without_pointers(function);
+            if function.finish == Finish::Stands {
+                self.without_pointers(function);
+            }
             self.out.close("}");
+        }
+        if function.finish != Finish::Stands && !function.failures.is_empty() {
+            self.clear_lists(function);
         }
         self.out.line("return status;");
         self.out.close("}");
@@ -299,16 +299,24 @@ impl C<'_> {
                 self.out.line(format!("*{} = {zero};", result.name));
             }
         }
-        self.clear_lists();
         self.out.line(format!("status = {};", word(status)));
     }
 
-    /// Sets lists of results to 0: not from the start, as one may lie where an argument does.
-    pub(super) fn clear_lists(&mut self) {
+    /// Sets lists of results to 0 where the call fails: at its end, as one may lie where an argument does.
+    fn clear_lists(&mut self, function: &Function) {
         let zero = self.literal("0.0");
-        for (name, count) in self.lists.clone() {
+        for result in &function.results {
+            let (Shape::Reals(count), name) = (result.shape, &result.name) else {
+                continue;
+            };
+            let ok = word(Status::Ok);
+            self.out.open(match function.guarded {
+                true => format!("if ((status < {ok}) && ({name} != NULL)) {{"),
+                false => format!("if (status < {ok}) {{"),
+            });
             self.out.open(format!("for (uint32_t i = 0U; i < {count}U; i++) {{"));
             self.out.line(format!("{name}[i] = {zero};"));
+            self.out.close("}");
             self.out.close("}");
         }
     }

@@ -49,9 +49,6 @@ impl C<'_> {
             self.out.open(format!("for (uint32_t i = 0U; i < {count}U; i++) {{"));
             self.out.line(format!("u[i] = {zero};\naxes[i] = {status};"));
             self.out.close("}");
-        } else if !self.lists.is_empty() {
-            self.out.turn("} else {");
-            self.clear_lists();
         }
         self.out.close("}");
     }
