@@ -57,6 +57,11 @@ impl Motion {
         (&self.program, &self.kinks)
     }
 
+    /// The same where its rates are values of the program, and where only an integration moves it.
+    pub(super) fn integrated(&self) -> Option<(&Program, &[Kink])> {
+        (self.held.is_none() && self.mechanics.is_none()).then(|| self.program())
+    }
+
     pub(super) fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         self.along.start(x0);
         self.give(values)
