@@ -57,9 +57,14 @@ impl Motion {
         (&self.program, &self.kinks)
     }
 
-    /// The same where its rates are values of the program, and where only an integration moves it.
-    pub(super) fn integrated(&self) -> Option<(&Program, &[Kink])> {
-        (self.held.is_none() && self.mechanics.is_none()).then(|| self.program())
+    /// Returns the equations of a mechanical plant.
+    pub(super) fn mechanics(&self) -> Option<&Mechanics> {
+        self.mechanics.as_ref()
+    }
+
+    /// Returns true if it is moved by an integration alone.
+    pub(super) fn is_integrated(&self) -> bool {
+        self.held.is_none()
     }
 
     pub(super) fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {

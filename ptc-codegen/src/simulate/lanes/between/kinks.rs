@@ -1,4 +1,5 @@
-//! Kinks along a step: a step is one of a single mode where every distance stays on the side on which it begins.
+//! Kinks along a step, and what no run crosses: a step is one of a single mode where every distance stays on the side
+//! on which it begins.
 
 // Lanes are counted, which compilers make vectors of.
 #![allow(clippy::needless_range_loop)]
@@ -24,7 +25,8 @@ pub(super) struct Kinks {
 
 #[derive(Clone, Debug)]
 struct Watched {
-    kink: Kink,
+    /// `None` for the determinant of an inertia.
+    kink: Option<Kink>,
     /// 1 above the kink and -1 below.
     side: Pack,
     /// The distance where the rates were computed last, positive on its side.
@@ -34,11 +36,12 @@ struct Watched {
 }
 
 impl Kinks {
-    pub(super) fn new(kinks: &[Kink]) -> Self {
+    /// Those of a plant, which may have an inertia.
+    pub(super) fn new(kinks: &[Kink], has_inertia: bool) -> Self {
         let none = Pack::all(f64::NAN);
-        let watched =
-            |kink: &Kink| Watched { kink: *kink, side: none, here: none, nodes: [none; NODES] };
-        Self { all: kinks.iter().map(watched).collect(), is_new: true, kept: [true; LANES] }
+        let watched = |kink| Watched { kink, side: none, here: none, nodes: [none; NODES] };
+        let kinks = kinks.iter().map(|kink| Some(*kink)).chain(has_inertia.then_some(None));
+        Self { all: kinks.map(watched).collect(), is_new: true, kept: [true; LANES] }
     }
 
     pub(super) fn any(&self) -> bool {
@@ -50,11 +53,12 @@ impl Kinks {
         (self.is_new, self.kept) = (true, [true; LANES]);
     }
 
-    /// Takes the distances where the rates have been computed.
-    pub(super) fn pass(&mut self, lanes: &Lanes) {
+    /// Takes the distances where the rates have been computed, and the determinant there.
+    pub(super) fn pass(&mut self, lanes: &Lanes, determinant: Option<&Pack>) {
+        let determinant = determinant.copied().unwrap_or(Pack::all(f64::NAN));
         let Self { all, is_new, kept } = self;
         for Watched { kink, side, here, nodes } in all {
-            let distance = distances(kink, lanes);
+            let distance = kink.as_ref().map_or(determinant, |kink| distances(kink, lanes));
             if *is_new {
                 *side = distance.map(|own| if own < 0.0 { -1.0 } else { 1.0 });
             }

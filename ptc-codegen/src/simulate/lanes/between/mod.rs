@@ -1,9 +1,12 @@
 //! The plants of all lanes over the time between two samples, where a run by itself integrates them: by the one step
 //! that this takes as a rule. What takes more, or comes to a kink, is left to the run by itself.
 
+mod accelerations;
 mod kinks;
 mod step;
 mod tableau;
+#[cfg(test)]
+mod tests;
 
 use super::along::Abreast;
 use super::flow::Which;
@@ -15,6 +18,7 @@ use crate::simulate::pass::share;
 use crate::simulate::plant::Motion;
 use crate::simulate::process::is_at_rest;
 use crate::simulate::{Failure, Values};
+use accelerations::Accelerations;
 use kinks::Kinks;
 use step::Step;
 
@@ -30,6 +34,9 @@ pub(super) struct Motions {
 struct Rates {
     along: Abreast,
     values: Vec<Value>,
+    /// The rates of a mechanical plant, which follow from the values.
+    accelerations: Option<Accelerations>,
+    u: Vec<Pack>,
     kinks: Kinks,
     /// True if what parameters decide is not computed yet.
     is_due: bool,
@@ -38,13 +45,18 @@ struct Rates {
 impl Motions {
     /// `None` where no step moves the plant, or where it does not run in lanes.
     pub(super) fn of(motion: &Motion) -> Option<Self> {
-        let (program, kinks) = motion.integrated()?;
+        if !motion.is_integrated() {
+            return None;
+        }
+        let ((program, kinks), mechanics) = (motion.program(), motion.mechanics());
         let operands = kinks.iter().flat_map(|kink| kink.operands());
         let outputs: Vec<_> = program.watched.iter().copied().chain(operands).collect();
         let rates = Rates {
             along: Abreast::new(program, &outputs, MAX_ORDER)?,
             values: program.watched.clone(),
-            kinks: Kinks::new(kinks),
+            accelerations: mechanics.map(Accelerations::new),
+            u: Vec::new(),
+            kinks: Kinks::new(kinks, mechanics.is_some()),
             is_due: true,
         };
         Some(Self { rates, step: Step::new(motion.order()) })
@@ -105,18 +117,35 @@ impl Rates {
             self.is_due = false;
         }
         self.along.inputs(states, u);
+        self.u.clear();
+        self.u.extend_from_slice(u);
         self.kinks.begin();
     }
 
     /// The rates at a part of a time from `from` on, times its length.
-    fn at(&mut self, (from, length, part): (&Pack, &Pack, f64), state: &[Pack], into: &mut [Pack]) {
+    fn at(&mut self, at: (&Pack, &Pack, f64), state: &[Pack], into: &mut [Pack]) {
+        self.look(at, state);
+        let (_, length, _) = at;
+        let scaled = |rate: &Pack| Pack::of(|lane| length.0[lane] * rate.0[lane]);
+        if let Some(accelerations) = &self.accelerations {
+            let rates = accelerations.rates(state);
+            into.iter_mut().zip(rates).for_each(|(into, rate)| *into = scaled(rate));
+            return;
+        }
+        for (into, value) in into.iter_mut().zip(&self.values) {
+            *into = scaled(self.along.lanes.get(*value));
+        }
+    }
+
+    /// Computes all at a part of a time.
+    fn look(&mut self, (from, length, part): (&Pack, &Pack, f64), state: &[Pack]) {
         let time = Pack::of(|lane| from.0[lane] + length.0[lane] * part);
         self.along.at(&time, state);
-        for (into, value) in into.iter_mut().zip(&self.values) {
-            let rate = self.along.lanes.get(*value);
-            *into = Pack::of(|lane| length.0[lane] * rate.0[lane]);
+        if let Some(accelerations) = &mut self.accelerations {
+            accelerations.solve(&self.along.lanes, &self.u);
         }
-        self.kinks.pass(&self.along.lanes);
+        let determinant = self.accelerations.as_ref().map(|own| &own.determinant);
+        self.kinks.pass(&self.along.lanes, determinant);
     }
 
     /// Looks for kinks within a step.
@@ -125,9 +154,7 @@ impl Rates {
         self.kinks.note(kinks::LAST);
         for node in 1..kinks::LAST {
             let part = share(node);
-            let time = Pack::of(|lane| from.0[lane] + length.0[lane] * part);
-            self.along.at(&time, step.within(part));
-            self.kinks.pass(&self.along.lanes);
+            self.look((from, length, part), step.within(part));
             self.kinks.note(node);
         }
     }
