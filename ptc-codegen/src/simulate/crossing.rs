@@ -38,9 +38,7 @@ pub(super) fn look(table: &[Vec<f64>], slides: bool) -> Step {
         // What is not positive at the begin is a rounding of the event that led there.
         let negative = (1..NODES).find(|node| values[*node] < 0.0);
         let before = negative.unwrap_or(NODES);
-        if values.iter().all(|value| value.is_finite())
-            && coarse(&values, before, if which < of_slide { 0.0 } else { PART / ROUNDED })
-        {
+        if is_coarse(&values, before, if which < of_slide { 0.0 } else { PART / ROUNDED }) {
             return Step::Coarse;
         }
         first = first.into_iter().chain(negative).min();
@@ -49,8 +47,12 @@ pub(super) fn look(table: &[Vec<f64>], slides: bool) -> Step {
 }
 
 /// Returns true if the cubic through every other node misses the nodes between by so much that the sign before node
-/// `before` is not certain. The rounding of a function is that of a size of at least `least`.
-fn coarse(values: &[f64; NODES], before: usize, least: f64) -> bool {
+/// `before` is not certain. The rounding of a function is that of a size of at least `least`; one that is infinite
+/// somewhere counts as it is at the nodes.
+pub(super) fn is_coarse(values: &[f64; NODES], before: usize, least: f64) -> bool {
+    if !values.iter().all(|value| value.is_finite()) {
+        return false;
+    }
     let [a, b, c, d] = [values[0], values[2], values[4], values[6]];
     let between = [
         (5.0 * a + 15.0 * b - 5.0 * c + d) / 16.0,

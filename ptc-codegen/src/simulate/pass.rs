@@ -277,7 +277,7 @@ fn distance(
 
 /// Returns the position of a node, as a part of the step.
 #[allow(clippy::cast_precision_loss)]
-fn share(node: usize) -> f64 {
+pub(super) fn share(node: usize) -> f64 {
     node as f64 / (NODES - 1) as f64
 }
 

@@ -57,6 +57,16 @@ impl Motion {
         (&self.program, &self.kinks)
     }
 
+    /// Returns the equations of a mechanical plant.
+    pub(super) fn mechanics(&self) -> Option<&Mechanics> {
+        self.mechanics.as_ref()
+    }
+
+    /// Returns true if it is moved by an integration alone.
+    pub(super) fn is_integrated(&self) -> bool {
+        self.held.is_none()
+    }
+
     pub(super) fn init(&mut self, values: &Values, x0: &[f64]) -> Result<(), Failure> {
         self.along.start(x0);
         self.give(values)

@@ -251,8 +251,7 @@ impl Process {
             return Ok(exact);
         }
         // Of states that have died out the errors of a step would underflow.
-        let nothing = x.as_slice()[..*n].iter().all(|x| x.abs() < NOTHING[0])
-            && acts.iter().all(|u| u.abs() < NOTHING[1]);
+        let nothing = is_at_rest(x.iter().take(*n).copied(), acts.iter().copied());
         let rest = vec![0.0; acts.len()];
         let (mut begin, held) = (x, Held { u, acts: if nothing { &rest } else { acts } });
         if nothing {
@@ -272,6 +271,14 @@ impl Process {
         }
         Ok(end)
     }
+}
+
+/// Returns true if states and inputs are so small that they count as 0.
+pub(super) fn is_at_rest(
+    mut x: impl Iterator<Item = f64>,
+    mut acts: impl Iterator<Item = f64>,
+) -> bool {
+    x.all(|x| x.abs() < NOTHING[0]) && acts.all(|u| u.abs() < NOTHING[1])
 }
 
 /// A chain has the f that its controller knows, where a plant is not given.

@@ -62,11 +62,16 @@ pub(super) fn integrate(
     pass: &mut Pass<'_>,
     visit: Visit<'_>,
 ) -> Result<(Reached, bool), (f64, Failure)> {
-    match system.order {
-        ..=4 => by_turns::<4>(system, begin, piece, pass, visit),
-        5..=8 => by_turns::<8>(system, begin, piece, pass, visit),
+    match width(system.order) {
+        4 => by_turns::<4>(system, begin, piece, pass, visit),
+        8 => by_turns::<8>(system, begin, piece, pass, visit),
         _ => by_turns::<MAX_ORDER>(system, begin, piece, pass, visit),
     }
+}
+
+/// Returns the number of components with which so many equations are integrated.
+pub(super) fn width(order: usize) -> usize {
+    [4, 8].into_iter().find(|width| order <= *width).unwrap_or(MAX_ORDER)
 }
 
 /// The same for systems of `N` equations or less.

@@ -83,6 +83,11 @@ const AT_ONCE: usize = 4;
 const AHEAD: f64 = 1e-6;
 
 impl Walk {
+    /// Returns true if it slides along a jump.
+    pub(super) fn slides(&self) -> bool {
+        self.mode.as_ref().is_some_and(|mode| mode.slide.is_some())
+    }
+
     /// Integrates from `start` at `points[0]` to the last of the ascending points, and shows each to the
     /// system. Not generic, as the methods below it are large.
     ///

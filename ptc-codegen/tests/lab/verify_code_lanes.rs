@@ -138,3 +138,19 @@ fn models_have_the_same_bits_in_lanes() {
         }
     }
 }
+
+/// A mechanical plant, of which the equations of motion are solved, with friction and without.
+#[test]
+fn inertias_have_the_same_bits_in_lanes() {
+    for bias in ["0.02*w", "0.02*w + 0.1*sign(w)"] {
+        let text = format!(
+            "mu = \"exp(a=1)\"\npoles = [-3, -4]\nsample_time = 0.01\nnoise = [1e-4, 1e-3]\n[params]\ntau = 0.5\n\
+             eps = 0.06\nu_max = 25\n[model]\nstates = [\"q\", \"w\"]\ninputs = [\"M\"]\n\
+             inertia = [[\"0.3 + 0.1*cos(q)\"]]\nbias = [\"5*sin(q)\"]\n[plant]\nload = [-0.2, 0.2]\n\
+             inertia = [[\"0.32 + 0.1*cos(q)\"]]\nbias = [\"5*sin(q) - load + {bias}\"]\n[disturbance]\n\
+             load = \"any\"\n{}",
+            objectives(&["q", "w"], "")
+        );
+        same_in_lanes(&text);
+    }
+}

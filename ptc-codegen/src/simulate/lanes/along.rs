@@ -182,7 +182,7 @@ impl Kinks {
 }
 
 /// The distances from a kink in each lane, signed.
-fn distances(kink: &Kink, lanes: &Lanes) -> Pack {
+pub(super) fn distances(kink: &Kink, lanes: &Lanes) -> Pack {
     let mut operands = kink.operands().map(|value| *lanes.get(value));
     let left = operands.next().unwrap_or(Pack::all(0.0));
     match operands.next() {

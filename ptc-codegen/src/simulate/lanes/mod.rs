@@ -8,6 +8,7 @@
 
 mod along;
 mod batch;
+mod between;
 mod collocation;
 mod controls;
 mod direct;

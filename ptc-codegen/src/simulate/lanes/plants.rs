@@ -3,9 +3,10 @@
 // Lanes are counted, which compilers make vectors of.
 #![allow(clippy::needless_range_loop)]
 
+use super::between::Motions;
 use super::flow::Which;
 use crate::program::lanes::{LANES, Pack};
-use crate::simulate::between::Held;
+use crate::simulate::between::{Held, Moved};
 use crate::simulate::held::is_same;
 use crate::simulate::method::State;
 use crate::simulate::switching::Walk;
@@ -16,6 +17,8 @@ use crate::simulate::{Failure, Process, Values};
 pub(super) struct Plants {
     processes: Vec<Process>,
     walks: Vec<Walk>,
+    /// The same plants at once, where they are integrated.
+    motions: Option<Motions>,
     /// Effects of both parts of a sample, before and after the next input takes over.
     effects: [Effect; 2],
     /// The states at the end of a length.
@@ -58,6 +61,10 @@ impl Plants {
         Self {
             processes: vec![process.clone(); LANES],
             walks: vec![Walk::default(); LANES],
+            motions: match &process.moved {
+                Moved::Rates(motion) => Motions::of(motion),
+                Moved::Linear(_) => None,
+            },
             effects: [effect.clone(), effect],
             next: vec![none; n],
         }
@@ -72,13 +79,18 @@ impl Plants {
     ) -> Result<Vec<f64>, Failure> {
         self.forget(lane);
         self.walks[lane] = Walk::default();
-        self.processes[lane].start(values, x0)
+        let given = self.processes[lane].start(values, x0)?;
+        if let Some(motions) = &mut self.motions {
+            motions.start(lane, values, x0)?;
+        }
+        Ok(given)
     }
 
     /// Other values of a lane from here on.
     pub(super) fn give(&mut self, lane: usize, values: &Values) -> Result<(), Failure> {
         self.forget(lane);
-        self.processes[lane].give(values)
+        self.processes[lane].give(values)?;
+        self.motions.as_mut().map_or(Ok(()), |motions| motions.give(lane, values))
     }
 
     fn forget(&mut self, lane: usize) {
@@ -104,7 +116,8 @@ impl Plants {
         let alone = self.unknown(times);
         self.after(x, u, times.part);
         let mut lost = [false; LANES];
-        if let Some(alone) = alone {
+        if let Some(mut alone) = alone {
+            self.step(x, u, times, &mut alone);
             for lane in (0..LANES).filter(|lane| alone[*lane]) {
                 let ends = (times.from.0[lane], times.to.0[lane]);
                 lost[lane] = self.alone(lane, x, u, ends).is_none();
@@ -157,6 +170,16 @@ impl Plants {
         }
         lengths.0[lane] = own;
         true
+    }
+
+    /// Computes the next states of the lanes that one step moves, and takes these from those that move alone.
+    fn step(&mut self, x: &[Pack], u: &[Pack], times: &Times, alone: &mut Which) {
+        let Some(motions) = &mut self.motions else { return };
+        let steps = std::array::from_fn(|lane| alone[lane] && !self.walks[lane].slides());
+        let moved = motions.after((x, u), times, &steps, &mut self.next);
+        for lane in 0..LANES {
+            alone[lane] &= !moved[lane];
+        }
     }
 
     /// Computes the next state of a lane by itself.

@@ -181,6 +181,12 @@ impl<const N: usize> ODE<f64, SVector<f64, N>> for Short<'_, N> {
     }
 }
 
+/// The relative accuracy that a method needs whose error is a mean over `width` components, of which `used` are used.
+#[allow(clippy::cast_precision_loss)]
+pub(super) fn relative_over(relative: f64, used: usize, width: usize) -> f64 {
+    relative * (used as f64 / width as f64).sqrt()
+}
+
 /// Required accuracy of a method with states of `N` components.
 #[derive(Clone, Copy)]
 pub(super) struct Wanted<const N: usize> {
@@ -192,12 +198,9 @@ pub(super) struct Wanted<const N: usize> {
 
 impl<const N: usize> Wanted<N> {
     pub(super) fn new(system: &Rates<'_>, piece: &Piece<'_>) -> Self {
-        // Their error is a mean over all components, some of which may be unused.
-        #[allow(clippy::cast_precision_loss)]
-        let used = (system.order as f64 / N as f64).sqrt();
         let Accuracy { relative, absolute, .. } = piece.accuracy;
         let (floors, states) = (piece.floors, system.states);
-        Self { relative: relative * used, absolute, floors, states }
+        Self { relative: relative_over(relative, system.order, N), absolute, floors, states }
     }
 
     /// Returns the tolerances, where an error below `nothing` counts as nothing.
