@@ -47,7 +47,7 @@ def rows(command, file):
     shown = subprocess.run([command, "show", "law", file], capture_output=True, text=True, check=True)
     known = {}
     for line in shown.stdout.splitlines():
-        if found := re.match(r"(K\d+|row\d+) = (.*)$", line):
+        if found := re.match(r"(K\d+|row\d+) *= (.*)$", line):
             known[found[1]] = eval(found[2].replace("^", "**"), {}, known)
     return [known[f"row{j}"] for j in range(1, sum(key[0] == "r" for key in known) + 1)]
 
@@ -123,7 +123,7 @@ def main():
     command = str(Path(sys.argv[1]).resolve())
     print("| r | ptc-codegen | Taylor jets by hand | ratio | difference of u |")
     print("| ---: | ---: | ---: | ---: | ---: |")
-    for r in map(int, sys.argv[2:] or ["2", "3", "4", "5", "6", "8"]):
+    for r in map(int, sys.argv[2:] or ["2", "3", "4", "5", "6", "8", "10", "12"]):
         with TemporaryDirectory() as folder:
             ours, theirs, difference = count(command, r, Path(folder))
         print(f"| {r} | {ours} | {theirs} | {ours / theirs:.2f} | {difference:.0e} |")

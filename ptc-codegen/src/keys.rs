@@ -28,7 +28,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 79] = [
+pub static KEYS: [KeyInfo; 80] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -166,6 +166,12 @@ pub static KEYS: [KeyInfo; 79] = [
         meaning: "rate of each state of the model",
         legal: "an expression for each state, affine in the input: a list in their order, or in a design file { state = \"rate\" }",
         example: "speed, (torque - drag*speed)/inertia",
+    },
+    KeyInfo {
+        key: "let",
+        meaning: "intermediate values of the model, each computed once, by their names",
+        legal: "a table of expressions in the states, the inputs and earlier values, which all expressions of the model use by name",
+        example: "{s = sin(angle), D = m*l*s}",
     },
     KeyInfo {
         key: "inputs",
@@ -521,7 +527,7 @@ impl KeyInfo {
             "x_max" => Some("envelope"),
             "A" | "B" | "C" => Some("plant"),
             "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia"
-            | "bias" => Some("model"),
+            | "bias" | "let" => Some("model"),
             "urdf" | "base" | "tip" | "gravity" => Some("robot"),
             _ => None,
         }

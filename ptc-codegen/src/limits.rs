@@ -87,6 +87,12 @@ table! {
     /// once, as often as it occurs.
     SIZE = 10_000 "operations and operands", "families in families multiply it",
         "write it shorter";
+    /// Operations and operands of a derivative of an output along its model, each counted once however often it occurs.
+    CHAIN = 100_000 "operations and operands", "a chain of order 16 whose rates are not linear has some ten thousand",
+        "take an output with a lower relative degree, or a simpler model";
+    /// Operations on the longest way from the top of such a derivative to a leaf.
+    CHAIN_HEIGHT = 400 "operations in a row", "what walks an expression recurses that deep, on stacks of 8 MB",
+        "take an output with a lower relative degree, or a simpler model";
     /// Coefficients of the expansion of a mapping: those of a triangle of the order for each operation.
     EXPANSION = 100_000 "coefficients in its expansion", "each is a line of the emitted step",
         "write it shorter, or lower the order";
@@ -96,6 +102,9 @@ table! {
     /// Inputs of a model, as many as coordinates of a mechanical plant.
     INPUTS = 8 "inputs", "u is a solution of equations with as many unknowns",
         "make several controllers of fewer inputs";
+    /// Intermediate values of a model.
+    INTERMEDIATES = 1_000 "intermediate values", "each name is looked up among all",
+        "write short ones where they are used";
     /// Axes of a controller.
     AXES = 16 "axes", "gains of its own for each are lines of the emitted step",
         "make several controllers, armed at the same t0 with the same tau";

@@ -45,6 +45,24 @@ ptc::ptc_controller!(
     params.R = 1.2,
     params.L = 2e-3
 );
+ptc::ptc_controller!(
+    name = by_values,
+    mu = exp(a = 1),
+    poles = [-4, -5, -6],
+    tau = 0.4,
+    eps = 1e-3,
+    u_max = 24,
+    states = [q, w, i],
+    input = V,
+    output = q,
+    let = { torque = k * i - b * w, back = k * w },
+    dynamics = [w, torque / J, (V - R * i - back) / L],
+    params.k = 0.03,
+    params.J = 2e-5,
+    params.b = 1e-5,
+    params.R = 1.2,
+    params.L = 2e-3
+);
 ptc::ptc_controller!(file = "examples/track.toml");
 ptc::ptc_controller!(
     name = given,
@@ -99,6 +117,8 @@ fn a_model_in_a_file_is_that_of_its_keys() {
     let control = of_file.step(0.1, &x).expect("a control");
     assert_eq!(control.status, Status::Ok);
     assert_eq!(by_keys.step(0.1, &x), Ok(control));
+    let by_values = ByValues::new(ByValuesParams { t0: 0.0 }).expect("a parameter");
+    assert_eq!(by_values.step(0.1, &x), Ok(control));
 }
 
 #[test]

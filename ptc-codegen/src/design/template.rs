@@ -1,10 +1,11 @@
 //! A design file to begin with, made from the table of keys so that it lists them all.
 
+use crate::diagnostic::Place;
 use crate::keys::EVENT_KEYS;
 use crate::keys::verify::{self, DISTURBANCE, INITIAL_STATE, OBJECTIVE_KEYS, PARAMETER};
 use crate::keys::{GROUPS, KEYS, KeyInfo, PLANT_KEYS, table};
 use crate::plant;
-use crate::syntax::number;
+use crate::syntax::{Argument, Value, number, parse};
 
 /// Keys that are given, with their values: with them it is a controller. All others are comments.
 const GIVEN: [(&str, &str); 6] = [
@@ -78,6 +79,9 @@ fn entry(info: &KeyInfo, given: Option<&str>) -> String {
 
 /// A value on the command line as TOML writes it: a text in quotes means what it means there.
 pub(super) fn literal(info: Option<&KeyInfo>, text: &str) -> String {
+    if let Some(table) = table(text) {
+        return table;
+    }
     match info {
         Some(info) if !text.starts_with(['[', '{']) => value(info, text),
         _ if number(text).is_some() => text.to_owned(),
@@ -94,6 +98,18 @@ pub fn written(info: &KeyInfo) -> String {
     value(info, info.example)
 }
 
+/// A table in braces with its expressions in quotes; `None` for what is none, or has quotes already.
+fn table(text: &str) -> Option<String> {
+    let node = parse("", text, &mut |_| Place(0)).ok()?;
+    let Value::Table(pairs) = node.value else { return None };
+    let pair = |pair: &Argument| {
+        let (name, _) = pair.name.as_ref()?;
+        Some(format!("{name} = {}", quoted(&pair.value.value.to_string())))
+    };
+    let pairs: Vec<_> = pairs.iter().map(pair).collect::<Option<_>>()?;
+    Some(format!("{{ {} }}", pairs.join(", ")))
+}
+
 /// A value of a key on the command line as TOML writes it.
 pub(super) fn value(info: &KeyInfo, text: &str) -> String {
     let is_number = |text: &str| text == "inf" || number(text).is_some();
@@ -101,7 +117,7 @@ pub(super) fn value(info: &KeyInfo, text: &str) -> String {
         return text.to_owned();
     }
     if text.starts_with(['[', '{']) {
-        return text.to_owned();
+        return table(text).unwrap_or_else(|| text.to_owned());
     }
     let items: Vec<_> = text.split(',').map(str::trim).collect();
     if items.len() > 1 && items.iter().all(|item| is_number(item)) {

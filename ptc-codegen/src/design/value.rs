@@ -17,7 +17,7 @@ const MATRICES: [&str; 9] =
     ["A", "C", "error", "gains", "inertia", "limits", "poles", "state_max", "x0_max"];
 
 /// The keys whose value may be a table in braces.
-const TABLES: [&str; 4] = ["dynamics", "plant.dynamics", "plant.added", "plant.resonance"];
+const TABLES: [&str; 5] = ["dynamics", "let", "plant.dynamics", "plant.added", "plant.resonance"];
 
 /// A value as TOML knows it.
 pub(super) struct Toml<'a> {

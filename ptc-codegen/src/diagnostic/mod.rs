@@ -72,6 +72,11 @@ impl Diagnostics {
         self.0.extend(found);
     }
 
+    /// Number of mistakes noted so far.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// Returns true if no error was found so far.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -115,7 +115,7 @@ impl Resolver<'_, '_> {
             Value::Table(_) => self.wrong(
                 node.place,
                 "a table in an expression".to_owned(),
-                "braces are for `dynamics`; () group operations",
+                "braces are for `dynamics` and `let`; () group operations",
             ),
             Value::Word(name) => self.name(name, node.place),
             Value::Call(name, arguments) => self.call(name, arguments, node.place),

@@ -24,8 +24,8 @@ pub static GROUPS: [Group; 7] = [
         title: "Plant",
         common: &["n", "axes", "g", "f", "reference"],
         rare: &[
-            "states", "input", "output", "dynamics", "inputs", "outputs", "inertia", "bias", "A",
-            "B", "C",
+            "states", "input", "output", "dynamics", "let", "inputs", "outputs", "inertia", "bias",
+            "A", "B", "C",
         ],
     },
     Group {

@@ -44,6 +44,10 @@ pub(super) struct Builder<'a> {
     pub(super) jets: Option<Jets>,
     /// True while factors that are numbers join, and signs move into sums: the terms of jets are full of both.
     pub(super) joins: bool,
+    /// True if sines and cosines of sums of angles in the equations of motion come by the addition theorem.
+    pub(super) splits_angles: bool,
+    /// True while these equations are computed so.
+    pub(super) splits_sums: bool,
     /// The axis whose values are being named, from 1, where each has its own.
     pub(super) axis: Option<usize>,
     /// Number of outputs of the plant.
@@ -82,6 +86,8 @@ impl<'a> Builder<'a> {
             form: None,
             jets: None,
             joins: false,
+            splits_angles: false,
+            splits_sums: false,
             axis: None,
             outputs: spec.decoupled().map_or(1, |coupled| coupled.outputs.len()),
             highest: None,
@@ -116,7 +122,8 @@ impl<'a> Builder<'a> {
         if let Some(value) = self.known.get(&op) {
             return *value;
         }
-        let value = append(&mut self.program, op.clone(), None);
+        let sum = if self.splits_sums { self.of_angle_sum(&op) } else { None };
+        let value = sum.unwrap_or_else(|| append(&mut self.program, op.clone(), None));
         self.known.insert(op, value);
         value
     }

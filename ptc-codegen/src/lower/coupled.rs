@@ -80,7 +80,7 @@ pub(super) fn inputs(
         }
         (Inverse::Inertia { inertia, bias }, _) => {
             let force = |(row, bias): (&Vec<Expression>, &Expression)| {
-                let bias = (*bias != Expression::integer(0)).then(|| b.scalar(bias));
+                let bias = (*bias != Expression::integer(0)).then(|| b.of_mechanics(bias));
                 product(b, row, &wanted, bias)
             };
             (inertia.iter().zip(bias).map(force).collect(), None)
@@ -124,7 +124,7 @@ fn product(
             zero if *zero == Expression::integer(0) => continue,
             one if *one == Expression::integer(1) => *wanted,
             entry => {
-                let entry = b.scalar(entry);
+                let entry = b.of_mechanics(entry);
                 b.mul(entry, *wanted)
             }
         };

@@ -4,6 +4,7 @@
 //! time in `tick` (`quantity`), and the state enters last. Everything that may change rounding
 //! happens here or earlier; the passes after it keep every bit.
 
+mod angle_sum;
 mod associated;
 mod axes;
 mod builder;

@@ -1,6 +1,7 @@
 //! The plant's share of u = (w - f)/g, and the chain of a model, in the form that takes the fewest
 //! operations once the numbers of the design are in it.
 
+use super::angle_sum::has_angle_sums;
 use super::builder::Builder;
 use super::coefficients::Coefficient;
 use super::input_gain::{input_gain_number, over_input_gain, settled};
@@ -13,6 +14,10 @@ use crate::program::cost::{X86_64, count};
 use crate::program::number::is_normal;
 use crate::program::{Definition, Op, Program, Stage, Value};
 use crate::request::Spec;
+
+/// Operations of an expression from which on its plant is computed by jets wherever it can be; those of a chain of order
+/// 7 whose rates are not linear, which takes three times the operations of jets.
+const LONG: usize = 2_000;
 
 /// The expressions of a plant in one of the forms that they may be computed in.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +33,8 @@ pub(super) struct Form {
     pub(super) scale: Option<BigRational>,
     /// Motion by which the chain is expanded in place of its expressions, and whether the gains of the inputs are, too.
     jets: Option<(Motion, bool)>,
+    /// True if sines and cosines of sums of angles in equations of motion come by the addition theorem.
+    splits_angles: bool,
 }
 
 impl Form {
@@ -41,11 +48,12 @@ impl Form {
             divided: false,
             scale: None,
             jets: None,
+            splits_angles: false,
         }
     }
 
     /// The others: what is affine grouped, f/g where that exists wherever f and g do, and 1/g in the
-    /// coefficients of `linear` laws.
+    /// coefficients of `linear` laws. Sums of angles are split where there are any.
     fn others(&self, spec: &Spec, linear: bool) -> Vec<Self> {
         let known = |e: &Expression| settled(spec, e);
         let lost = |e: &Expression| e.number().is_some_and(|n| !is_normal(n, spec.precision));
@@ -59,7 +67,11 @@ impl Form {
             drift: self.drift.as_ref().map(affine),
             ..self.clone()
         };
-        let Some(g) = &self.input_gain else { return vec![tidied] };
+        let Some(g) = &self.input_gain else {
+            let split =
+                has_angle_sums(spec).then(|| Self { splits_angles: true, ..tidied.clone() });
+            return std::iter::once(tidied).chain(split).collect();
+        };
         let divided = match &self.drift {
             Some(f) => {
                 quotient(&known(f), &known(g)).filter(in_range).map(|drift| Some(drift.form))
@@ -103,6 +115,7 @@ impl Form {
 
     /// From here on the plant is computed in this form; `None` if it has none.
     pub(super) fn enter(self, b: &mut Builder<'_>) -> Option<()> {
+        b.splits_angles = self.splits_angles;
         if let Some((motion, gains)) = &self.jets {
             b.jets = Some(b.jets(motion, *gains)?);
         }
@@ -128,17 +141,28 @@ pub(super) fn cheapest(
         let roots = [program.controls(), program.watched.clone()].concat();
         count(program, &roots, Stage::Tick).cycles(&X86_64)
     };
-    let Some(mut best) = lower(own.clone()) else { fault("a plant without its own form") };
-    for form in own.others(spec, linear).into_iter().chain(own.by_jets(spec, linear)) {
-        if form == own {
-            continue;
-        }
-        let Some(other) = lower(form) else { continue };
-        if !other.values.iter().any(lost) && cost(&other) < cost(&best) {
-            best = other;
-        }
+    let jets = own.by_jets(spec, linear);
+    let programs = |forms: Vec<Form>| {
+        let all = forms.into_iter().filter_map(lower);
+        all.filter(|program| !program.values.iter().any(lost)).collect::<Vec<_>>()
+    };
+    let cheaper =
+        |best: Program, other: Program| if cost(&other) < cost(&best) { other } else { best };
+    let jets = programs(jets);
+    if is_long(spec)
+        && let Some(best) = jets.iter().cloned().reduce(cheaper)
+    {
+        return best;
     }
-    best
+    let Some(first) = lower(own.clone()) else { fault("a plant without its own form") };
+    let others = own.others(spec, linear).into_iter().filter(|form| *form != own).collect();
+    programs(others).into_iter().chain(jets).fold(first, cheaper)
+}
+
+/// Returns true if the derivatives of a model are so long as expressions that jets take a part of their operations, and
+/// to find that out takes long.
+fn is_long(spec: &Spec) -> bool {
+    spec.expressions().any(|e| e.nodes() > LONG)
 }
 
 /// u = (w - f)/g, where w is what is wanted of xn': `law`, where that is for the tracking error.

@@ -5,6 +5,7 @@ use super::{Values, named};
 use crate::expression::effort::bounded;
 use crate::expression::normal::shorter;
 use crate::expression::{Expression, Variable};
+use crate::limits::{CHAIN, CHAIN_HEIGHT};
 use crate::parameter::Name;
 
 /// An output as a chain of integrators.
@@ -140,7 +141,8 @@ impl<'a> Affine<'a> {
             _ => Expression::integer(0),
         };
         let derivative = shorter(e.along(&rate));
-        if derivative.is_kept() { Ok(derivative) } else { Err(Ill::TooLarge(order)) }
+        let kept = CHAIN.admits(derivative.nodes()) && CHAIN_HEIGHT.admits(derivative.height());
+        if kept { Ok(derivative) } else { Err(Ill::TooLarge(order)) }
     }
 
     pub(super) fn text(&self, expression: &Expression) -> String {

@@ -4,10 +4,12 @@
 pub(crate) mod coupled;
 mod decide;
 mod determinant;
+mod intermediate;
 mod lie;
 pub(crate) mod zeros;
 
 pub use coupled::{Coupled, Inverse, Output};
+pub use intermediate::Intermediates;
 pub use lie::{Chain, Ill};
 pub(crate) use lie::{at_rest, gains};
 
@@ -28,6 +30,8 @@ pub struct Model {
     pub states: Vec<Name>,
     /// Name of the input.
     pub input: Name,
+    /// Named intermediate values of its expressions.
+    pub intermediates: Intermediates,
     /// The output as a function of the states.
     pub output: Expression,
     /// The rate of each state.
@@ -39,7 +43,33 @@ pub struct Model {
 impl Model {
     /// An expression of the plant in the names of its states and its input.
     pub fn named(&self, expression: &Expression) -> Expression {
-        named(&self.states, Some(self.input), expression)
+        self.intermediates.named(expression, &|e| name_of(&self.states, Some(self.input), e))
+    }
+
+    /// The meanings of the names of its states and intermediate values in an expression, of which [`Self::put`] makes
+    /// one of the states alone.
+    pub(crate) fn own_names(&self) -> Vec<(Name, Variable)> {
+        let values = self.intermediates.variables(self.states.len());
+        own_names(&self.states).into_iter().chain(values).collect()
+    }
+
+    /// An expression with the intermediate values in place of their variables.
+    pub(crate) fn put(&self, expression: &Expression) -> Expression {
+        self.intermediates.put(expression, self.states.len())
+    }
+
+    /// Its intermediate values in its names.
+    pub fn definitions(&self) -> Vec<(Name, Expression)> {
+        self.intermediates.definitions(&|e| name_of(&self.states, Some(self.input), e))
+    }
+
+    /// Those that its expressions and `laws` use.
+    pub(crate) fn used_definitions<'a>(
+        &'a self,
+        laws: impl Iterator<Item = &'a Expression>,
+    ) -> Vec<(Name, Expression)> {
+        let own = self.dynamics.iter().chain([&self.output]);
+        intermediate::used(self.definitions(), own.chain(laws).map(|e| self.named(e)))
     }
 
     /// The same as text.
@@ -47,11 +77,12 @@ impl Model {
         self.named(expression).to_string()
     }
 
-    /// Its lines: the rate of each state, and the output.
+    /// Its lines: the intermediate values, the rate of each state, and the output.
     pub fn lines(&self) -> Vec<String> {
+        let values = lines(self.definitions());
         let rate = |(name, rate)| format!("{name}' = {}", self.text(rate));
         let rates = self.states.iter().zip(&self.dynamics).map(rate);
-        rates.chain([format!("output {}", self.text(&self.output))]).collect()
+        values.chain(rates).chain([format!("output {}", self.text(&self.output))]).collect()
     }
 }
 
@@ -63,10 +94,20 @@ pub fn own_names(states: &[Name]) -> Vec<(Name, Variable)> {
 /// The same expression with the names of a plant in place of its states and its input; where there are
 /// several inputs, their names stand behind those of the states.
 pub(crate) fn named(states: &[Name], input: Option<Name>, expression: &Expression) -> Expression {
-    let of = |name: Name| Some(Parameter::Named(name).into());
-    expression.substitute(&|e| match e.variable()? {
-        Variable::State(j) => states.get(j - 1).copied().and_then(of),
-        Variable::Control => input.and_then(of),
+    expression.substitute(&|e| name_of(states, input, e))
+}
+
+/// The name of a state or an input.
+fn name_of(states: &[Name], input: Option<Name>, e: &Expression) -> Option<Expression> {
+    let name = match e.variable()? {
+        Variable::State(j) => states.get(j - 1).copied(),
+        Variable::Control => input,
         _ => None,
-    })
+    };
+    name.map(|name| Parameter::Named(name).into())
+}
+
+/// Definitions as lines.
+pub(crate) fn lines(values: Vec<(Name, Expression)>) -> impl Iterator<Item = String> {
+    values.into_iter().map(|(name, value)| format!("{name} = {value}"))
 }

@@ -13,6 +13,7 @@ use super::read::{Given, value};
 use super::{Mechanics, Plant, TABLE};
 use crate::diagnostic::{Diagnostics, counted, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
+use crate::model::Intermediates;
 use crate::parameter::{Name, Parameter};
 use crate::request::{Spec, items, known};
 use crate::syntax::{Argument, Node, Value};
@@ -84,24 +85,30 @@ fn legal(name: &str, keys: &[&str], used: &[Parameter]) -> String {
 
 /// An expression of the plant, in the names of its states and inputs.
 fn expression(node: &Node, spec: &Spec, found: &mut Diagnostics) -> Option<Expression> {
-    let (states, inputs) = names(spec);
+    let (states, inputs, intermediates) = names(spec);
     let control = |k: usize| match &spec.coupled {
         Some(_) => Variable::State(states.len() + k),
         None => Variable::Control,
     };
     let of_states = (1..).zip(states).map(|(j, name)| (*name, Variable::State(j)));
-    let own: Vec<_> =
-        of_states.chain((1..).zip(inputs).map(|(k, name)| (*name, control(k)))).collect();
+    let of_inputs = (1..).zip(inputs).map(|(k, name)| (*name, control(k)));
+    let behind = states.len() + inputs.len();
+    let own: Vec<_> = of_states.chain(of_inputs).chain(intermediates.variables(behind)).collect();
     let known = known(spec.time_mapping.parameters());
-    resolve(node, Scope { subject: Subject::PlantRate, n: 0, known: &known, own: &own }, found)
+    let scope = Scope { subject: Subject::PlantRate, n: 0, known: &known, own: &own };
+    let read = resolve(node, scope, found)?;
+    Some(intermediates.put(&read, behind))
 }
 
-/// The names of the states and of the inputs of the model.
-fn names(spec: &Spec) -> (&[Name], &[Name]) {
+/// The names of the states and of the inputs of the model, and its intermediate values.
+fn names(spec: &Spec) -> (&[Name], &[Name], &Intermediates) {
+    static NONE: Intermediates = Intermediates::none();
     match (&spec.model, &spec.coupled) {
-        (Some(model), _) => (&model.states, std::slice::from_ref(&model.input)),
-        (None, Some(coupled)) => (&coupled.states, &coupled.inputs),
-        (None, None) => (&[], &[]),
+        (Some(model), _) => {
+            (&model.states, std::slice::from_ref(&model.input), &model.intermediates)
+        }
+        (None, Some(coupled)) => (&coupled.states, &coupled.inputs, &coupled.intermediates),
+        (None, None) => (&[], &[], &NONE),
     }
 }
 

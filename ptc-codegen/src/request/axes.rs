@@ -149,6 +149,7 @@ impl Spec {
         self.model = Some(Box::new(Model {
             states: coupled.states.clone(),
             input: coupled.inputs[index],
+            intermediates: coupled.intermediates.clone(),
             output: output.coordinates[0].clone(),
             // What moves the other states is no matter of one output.
             dynamics: Vec::new(),

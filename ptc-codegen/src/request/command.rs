@@ -10,8 +10,8 @@ use crate::algebra::BigRational;
 use crate::expression::{Expression, Subject};
 use crate::family::Family;
 use crate::mapping::TimeMapping;
-use crate::model::Coupled;
 use crate::model::coupled::Inverse;
+use crate::model::{self, Coupled};
 use crate::parameter::{Fixed, Name, Parameter, Precision};
 use crate::syntax::constant;
 
@@ -105,9 +105,11 @@ impl Spec {
         }
         let list = |items: Vec<String>| items.join(", ");
         if let Some(coupled) = self.coupled.as_ref().filter(|coupled| !coupled.is_of_axes) {
+            words.extend(definition_words(coupled.used_definitions(self.laws())));
             words.extend(coupled_words(coupled));
         } else if let Some(model) = &self.model {
             let rates = model.dynamics.iter().map(|rate| model.text(rate)).collect();
+            words.extend(definition_words(model.used_definitions(self.laws())));
             words.push(format!(
                 "--states=\"{}\" --input={}",
                 Name::listed(&model.states),
@@ -246,6 +248,12 @@ impl Spec {
             format!("--mu \"{name}({})\"", arguments.join(","))
         }
     }
+}
+
+/// The flag of intermediate values.
+fn definition_words(values: Vec<(Name, Expression)>) -> Option<String> {
+    let all: Vec<_> = model::lines(values).collect();
+    (!all.is_empty()).then(|| format!("--let=\"{{{}}}\"", all.join(", ")))
 }
 
 /// The flags of a plant with several inputs.

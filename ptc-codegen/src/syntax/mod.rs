@@ -34,7 +34,7 @@ pub enum Value {
     Word(String),
     /// Values in brackets, or separated by commas.
     List(Vec<Node>),
-    /// Names with values in braces, which a design file alone can have.
+    /// Names with values in braces.
     Table(Vec<Argument>),
     /// A word with arguments.
     Call(String, Vec<Argument>),

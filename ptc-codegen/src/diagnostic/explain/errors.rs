@@ -211,7 +211,7 @@ pub(super) static ERRORS: [Explanation; 29] = [
     ),
     flags(
         "unused-parameter",
-        "A given parameter is not used.",
+        "A given parameter, or an intermediate value of a model, is not used.",
         "ptc-codegen check --n 1 --mu exp --pi0=\"-2*xi1\" --param k=2",
         "correct its spelling, use it in an expression, or leave it out",
     ),

@@ -7,7 +7,7 @@ mod text;
 use super::decide::is_zero;
 use super::determinant::{CLOSED, determinant, divided, inverse, is_regular, written_out};
 use super::lie::{Affine, Ill};
-use super::{Values, named};
+use super::{Intermediates, Values, named};
 use crate::collect::listed;
 use crate::expression::effort::bounded;
 use crate::expression::{Expression, Variable};
@@ -22,6 +22,8 @@ pub struct Coupled {
     pub states: Vec<Name>,
     /// Names of the inputs.
     pub inputs: Vec<Name>,
+    /// Named intermediate values of its expressions.
+    pub intermediates: Intermediates,
     /// The outputs, one for each input.
     pub outputs: Vec<Output>,
     /// Computation of the inputs from the wanted derivatives of the outputs.
@@ -125,7 +127,7 @@ impl Coupled {
                     }
                 }
                 let inverse = Inverse::Elimination { dynamics, matrix };
-                return Ok(Self { states, inputs, outputs, inverse, is_of_axes: false });
+                return Ok(Self::of(states, inputs, outputs, inverse));
             }
             let (determinant, adjugate) = inverse(&matrix);
             match is_zero(&determinant, values) {
@@ -138,7 +140,7 @@ impl Coupled {
             }
             let (determinant, adjugate) = divided(determinant, adjugate);
             let inverse = Inverse::Adjugate { dynamics, determinant, adjugate };
-            Ok(Self { states, inputs, outputs, inverse, is_of_axes: false })
+            Ok(Self::of(states, inputs, outputs, inverse))
         })
     }
 
@@ -165,8 +167,13 @@ impl Coupled {
             };
             let outputs = (1..=m).map(output).collect();
             let inverse = Inverse::Inertia { inertia, bias };
-            Ok(Self { states, inputs, outputs, inverse, is_of_axes: false })
+            Ok(Self::of(states, inputs, outputs, inverse))
         })
+    }
+
+    fn of(states: Vec<Name>, inputs: Vec<Name>, outputs: Vec<Output>, inverse: Inverse) -> Self {
+        let intermediates = Intermediates::default();
+        Self { states, inputs, intermediates, outputs, inverse, is_of_axes: false }
     }
 
     /// A chain of order `n` for each of these input gains, which divide the law of each.
@@ -189,13 +196,14 @@ impl Coupled {
             determinant: Expression::integer(1),
             adjugate: (0..m).map(|i| (0..m).map(|j| entry(i, j)).collect()).collect(),
         };
-        Some(Self {
-            states: names.collect::<Option<_>>()?,
-            inputs: inputs.collect::<Option<_>>()?,
-            outputs: (0..m).map(output).collect(),
+        let outputs = (0..m).map(output).collect();
+        let own = Self::of(
+            names.collect::<Option<_>>()?,
+            inputs.collect::<Option<_>>()?,
+            outputs,
             inverse,
-            is_of_axes: true,
-        })
+        );
+        Some(Self { is_of_axes: true, ..own })
     }
 
     /// The outputs as functions of the states.

@@ -1,7 +1,7 @@
 //! Names of the parts of a plant, in the plant and in a law of it.
 
 use super::super::determinant::{CLOSED, inverse};
-use super::super::named;
+use super::super::name_of;
 use super::{Coupled, Inverse};
 use crate::expression::{Expression, Variable};
 use crate::parameter::{Name, Parameter};
@@ -9,16 +9,47 @@ use crate::parameter::{Name, Parameter};
 impl Coupled {
     /// An expression of the plant in the names of its states and its inputs.
     pub fn named(&self, expression: &Expression) -> Expression {
-        named(&[self.states.as_slice(), &self.inputs].concat(), None, expression)
+        let names = [self.states.as_slice(), &self.inputs].concat();
+        self.intermediates.named(expression, &|e| name_of(&names, None, e))
     }
 
-    /// Returns the names of the parts of the plant in a law. First come its states; then those of the chain of each
+    /// Its intermediate values in its names.
+    pub fn definitions(&self) -> Vec<(Name, Expression)> {
+        let names = [self.states.as_slice(), &self.inputs].concat();
+        self.intermediates.definitions(&|e| name_of(&names, None, e))
+    }
+
+    /// Those that its expressions and `laws` use.
+    pub(crate) fn used_definitions<'a>(
+        &'a self,
+        laws: impl Iterator<Item = &'a Expression>,
+    ) -> Vec<(Name, Expression)> {
+        let own = self.written().map(|e| self.named(e));
+        let laws = laws.map(|law| self.law_named(law));
+        super::super::intermediate::used(self.definitions(), own.chain(laws))
+    }
+
+    /// The expressions that a design gives it by.
+    fn written(&self) -> impl Iterator<Item = &Expression> {
+        let (rows, others) = match &self.inverse {
+            Inverse::Inertia { inertia, bias } => (inertia.as_slice(), bias),
+            Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => {
+                (&[][..], dynamics)
+            }
+        };
+        let outputs = (0..self.outputs.len()).map(|index| self.output(index));
+        rows.iter().flatten().chain(others).chain(outputs)
+    }
+
+    /// Returns the names of the parts of the plant in a law. First come its states and
+    /// intermediate values; then those of the chain of each
     /// output in stretched time, `xi{i}_{j}` for `xi_i` of output j, and as they are, `x{i}_{j}`; of a mechanical plant
     /// also its inertia, the inverse of it as far as it has a closed form, and its bias.
     pub fn names_of_law(&self) -> Vec<(Name, Expression)> {
         let mut all: Vec<(Name, Expression)> = Vec::new();
         let states = (1..).map(|j| Variable::State(j).into());
         all.extend(self.states.iter().copied().zip(states));
+        all.extend(self.intermediates.iter().cloned());
         let mut add = |text: String, part: Expression| {
             // What the plant calls so is meant first.
             let free = |name: &Name| all.iter().all(|(own, _)| own != name);

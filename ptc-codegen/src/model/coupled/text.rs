@@ -1,5 +1,6 @@
 //! A plant as lines of text.
 
+use super::super::lines;
 use super::{Coupled, Inverse};
 use crate::expression::Expression;
 use crate::parameter::Name;
@@ -21,16 +22,18 @@ impl Coupled {
         format!("outputs of order {}", orders.join(", "))
     }
 
-    /// Its lines: the rate of each state, and the outputs.
+    /// Its lines: the intermediate values, the rate of each state, and the outputs.
     pub fn lines(&self) -> Vec<String> {
-        match &self.inverse {
+        let values = lines(self.definitions());
+        let equations = match &self.inverse {
             Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => {
                 let output = |i: usize| format!("output {} = {}", i + 1, self.text(self.output(i)));
                 let outputs = (0..self.inputs.len()).map(output);
                 self.rates(dynamics).into_iter().chain(outputs).collect()
             }
             Inverse::Inertia { inertia, bias } => self.motion(inertia, bias),
-        }
+        };
+        values.chain(equations).collect()
     }
 
     /// The rate of each state, a line each.

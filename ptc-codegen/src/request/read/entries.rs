@@ -1,23 +1,30 @@
 //! Admission of entries: known keys, each once.
 
+use std::collections::BTreeSet;
+
 use super::{Entry, Reader};
 use crate::diagnostic::{Place, near_miss, shorten};
 use crate::keys::{KEYS, KeyInfo};
 use crate::request::has_own_states;
 use crate::syntax::{Node, Value};
 
-/// Returns true if a name occurs in a value.
-fn uses(node: &Node, name: &str) -> bool {
-    match &node.value {
-        Value::Number(_) | Value::Imaginary(_) => false,
-        Value::Word(word) => word == name,
-        Value::List(items) => items.iter().any(|item| uses(item, name)),
-        Value::Table(items) | Value::Call(_, items) => {
-            items.iter().any(|item| uses(&item.value, name))
+/// The names that occur in a value.
+pub(super) fn words(node: &Node) -> BTreeSet<&str> {
+    let (mut words, mut left) = (BTreeSet::new(), vec![node]);
+    while let Some(node) = left.pop() {
+        match &node.value {
+            Value::Number(_) => {}
+            Value::Imaginary(unit) => words.extend((*unit == 1.into()).then_some("i")),
+            Value::Word(word) => words.extend([word.as_str()]),
+            Value::List(items) => left.extend(items),
+            Value::Table(items) | Value::Call(_, items) => {
+                left.extend(items.iter().map(|item| &item.value));
+            }
+            Value::Negative(a) => left.push(a),
+            Value::Binary(_, a, b) => left.extend([&**a, &**b]),
         }
-        Value::Negative(a) => uses(a, name),
-        Value::Binary(_, a, b) => uses(a, name) || uses(b, name),
     }
+    words
 }
 
 /// Names that other programs and fields give to what a key holds.
@@ -76,7 +83,7 @@ impl<'a> Reader<'a> {
             (None, Some("plant" | "disturbance" | "verify")) => {}
             (None, Some(table))
                 if table.starts_with("objective[") || table.starts_with("event[") => {}
-            (None, None) if all.iter().any(|other| uses(&other.value, name)) => {
+            (None, None) if all.iter().any(|other| words(&other.value).contains(name)) => {
                 let message =
                     format!("`{}` is a parameter, not a key of the design", shorten(name));
                 let help = format!("give it as params.{name} = {}", entry.value.value);

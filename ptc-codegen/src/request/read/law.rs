@@ -12,7 +12,7 @@ use crate::expression::constant::real;
 use crate::expression::effort::bounded;
 use crate::expression::normal::normal;
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
-use crate::model::{Coupled, Model, own_names};
+use crate::model::{Coupled, Model};
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{DelayLaw, Feedback, Pole, Spec, gains};
 use crate::syntax::{Node, Value, constant};
@@ -110,10 +110,12 @@ impl<'a> Reader<'a> {
                 law = coupled.map_or(law, |coupled| self.laws(node, known, coupled));
             }
             Some((_, node)) => {
-                let own = model.map(|model| own_names(&model.states)).unwrap_or_default();
+                let own = model.map(Model::own_names).unwrap_or_default();
                 let scope = Scope { subject: Subject::Law, n: order, known, own: &own };
-                let inputs = model.map(|model| vec![model.input]).unwrap_or_default();
+                let inputs = model.map(|model| vec![(model.input, Variable::Control)]);
+                let inputs = inputs.unwrap_or_default();
                 let read = resolve(node, scope, &mut self.found);
+                let read = read.map(|law| model.map_or(law.clone(), |model| model.put(&law)));
                 if let Some(expression) = read.filter(|law| self.gives_inputs(node, law, &inputs)) {
                     match gains_of(&expression, 1..=order) {
                         Some(gains) => law.gains = fixed(gains),

@@ -1,7 +1,7 @@
 //! The parser of values: one grammar for numbers, names, lists and mathematical expressions.
 //!
 //! ```text
-//! value   = sum ("," sum)*
+//! value   = "{" arguments "}" | sum ("," sum)*
 //! sum     = product (("+" | "-") product)*
 //! product = signed (("*" | "/") signed)*
 //! signed  = ("+" | "-") signed | power
@@ -58,9 +58,15 @@ impl Parser<'_> {
         if TEXT.admits(self.text.len()) { self.top() } else { Err(beyond(0..0, &TEXT)) }
     }
 
-    /// A value, or several separated by commas: a list without brackets.
+    /// A table in braces, a value, or several separated by commas: a list without brackets.
     fn top(&mut self) -> Result<Node, Failure> {
         let start = self.skip_space();
+        if self.eat('{') {
+            let pairs = self.separated('}', Self::argument)?;
+            let node = self.node(Value::Table(pairs), start);
+            self.end()?;
+            return Ok(node);
+        }
         let first = self.sum()?;
         if self.peek() != Some(',') {
             self.end()?;
@@ -235,7 +241,11 @@ impl Parser<'_> {
         let mut height = 0;
         while !self.eat(close) {
             if !items.is_empty() && !self.eat(',') {
-                let what = if close == ')' { "`,` or `)`" } else { "`,` or `]`" };
+                let what = match close {
+                    ')' => "`,` or `)`",
+                    '}' => "`,` or `}`",
+                    _ => "`,` or `]`",
+                };
                 return Err(expected(self.here(), what));
             }
             // A comma may end the list, as where each item has its own line.

@@ -74,3 +74,35 @@ fn what_vanishes_with_the_gain_is_refused() {
     let told = in_c::run("levitation_without_pull", &spec(&example("levitation.toml")), &main);
     assert_eq!(told, [[1.0, 0.0]]);
 }
+
+/// A mechanical plant with sines and cosines of sums of its angles, where M and bias are by hand below.
+const ANGLES: &str = "name = \"angles\"\nmu = \"exp(a=1)\"\npoles = [-3, -4]\n\
+    [params]\ntau = 1\nt0 = 0\neps = 1e-3\nu_max = inf\n\
+    [model]\nstates = [\"a\", \"b\", \"c\", \"u\", \"v\", \"w\"]\ninputs = [\"k\", \"l\", \"m\"]\n\
+    inertia = [[\"3 + cos(b)\", \"0\", \"0\"], [\"0\", \"2 + cos(c)\", \"0\"], [\"0\", \"0\", \"2 + cos(b + c)\"]]\n\
+    bias = [\"sin(b) + 2*sin(c) + sin(b - c)*v\", \"cos(a) + sin(a)*w\", \"cos(a + b + c) + sin(b + c)\"]\n";
+
+/// Ten calls as they are written, of which six remain: sines and cosines of the three angles.
+#[test]
+fn sums_of_angles_take_no_calls_of_their_own() {
+    assert_eq!(step(&spec(ANGLES)).calls, 6);
+    // Two links would save none: the forces have cos(q1), cos(q2), cos(q1 + q2) and sin(q2).
+    assert_eq!(step(&spec(&example("two_link.toml"))).calls, 4);
+    let main = "int main(void)\n{\n    angles control;\n    const angles_params params = { 0 };\n\
+        \x20   const double x[6] = { 0.5, -0.25, 1.5, 0.3, -0.7, 0.2 };\n    double u[3];\n    ptc_status axes[3];\n\
+        \x20   if (angles_init(&control, &params) != PTC_OK) { return 1; }\n\
+        \x20   if (angles_step(&control, 0.5, x, u, axes) != PTC_OK) { return 2; }\n\
+        \x20   printf(\"%.17g %.17g %.17g\\n\", u[0], u[1], u[2]);\n    return 0;\n}\n";
+    let rows = in_c::run("angle_sums", &spec(ANGLES), main);
+    let [a, b, c, u, v, w] = [0.5_f64, -0.25, 1.5, 0.3, -0.7, 0.2];
+    // Poles at -3 and -4 of exp: T^2 q'' = -12 q - 6 T q'.
+    let wanted = |q: f64, rate: f64| -12.0 * q / 0.25 - 6.0 * rate / 0.5;
+    let by_hand = [
+        (3.0 + b.cos()) * wanted(a, u) + b.sin() + 2.0 * c.sin() + (b - c).sin() * v,
+        (2.0 + c.cos()) * wanted(b, v) + a.cos() + a.sin() * w,
+        (2.0 + (b + c).cos()) * wanted(c, w) + (a + b + c).cos() + (b + c).sin(),
+    ];
+    for (found, wanted) in rows[0].iter().zip(by_hand) {
+        assert!((found - wanted).abs() < 1e-14 * (1.0 + wanted.abs()), "{found}, not {wanted}");
+    }
+}

@@ -8,7 +8,11 @@ mod divisors;
 mod forms;
 pub(crate) mod in_c;
 mod in_samples;
+#[cfg(feature = "lab")]
+mod intermediates;
 mod laws;
+#[cfg(feature = "lab")]
+mod long_chains;
 mod mistakes;
 #[cfg(feature = "lab")]
 mod plants;

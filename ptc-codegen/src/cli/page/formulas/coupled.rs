@@ -9,6 +9,7 @@ use crate::request::{Feedback, Spec};
 use super::closed::{mapping, matrix, r};
 use super::group::Group;
 use super::law::law;
+use super::plant::definitions;
 use crate::cli::mathml::{
     Math, dot, equal, fraction, name, number, of_expression, operator, product, relation, row, sub,
 };
@@ -60,8 +61,8 @@ pub(super) fn group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group 
         (1..).zip(all).map(|(i, e)| equal(sub(name(symbol), number(i)), of(e))).collect()
     };
     let rates = coupled.states.iter().zip(&plant.dynamics);
-    let mut formulas: Vec<_> =
-        rates.map(|(state, rate)| equal(dot(name(state.text())), of(rate))).collect();
+    let mut formulas = definitions(coupled.definitions());
+    formulas.extend(rates.map(|(state, rate)| equal(dot(name(state.text())), of(rate))));
     let own =
         Plant { fixed: plant.fixed.clone(), bounds: plant.bounds.clone(), ..Plant::own(spec) };
     if spec.joins_axes() {

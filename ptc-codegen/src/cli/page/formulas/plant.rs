@@ -2,6 +2,7 @@
 
 use crate::expression::Expression;
 use crate::model::Model;
+use crate::parameter::Name;
 use crate::plant::Plant;
 use crate::request::Spec;
 
@@ -18,7 +19,8 @@ pub(super) fn of_model((spec, model): (&Spec, &Model), plant: &Plant) -> Group {
         let all = all.map(|(state, rate)| equal(at(dot(name(state.text()))), of(rate)));
         all.collect::<Vec<_>>()
     };
-    let mut formulas = rates(&plant.dynamics, &|rate| rate);
+    let mut formulas = definitions(model.definitions());
+    formulas.extend(rates(&plant.dynamics, &|rate| rate));
     let mut told = "The plant, and the chain of its output that the law brings to rest.".to_owned();
     if plant.dynamics != model.dynamics {
         formulas.extend(rates(&model.dynamics, &|rate| sub(rate, words("model"))));
@@ -30,6 +32,12 @@ pub(super) fn of_model((spec, model): (&Spec, &Model), plant: &Plant) -> Group {
     formulas.extend(known.into_iter().filter_map(|(f, e)| Some(equal(name(f), of(e.as_ref()?)))));
     told.push_str(&format!(" The u of the law is {}.", model.input));
     Group { title: "Plant", told, formulas }
+}
+
+/// The intermediate values of a model.
+pub(super) fn definitions(values: Vec<(Name, Expression)>) -> Vec<Math> {
+    let values = values.iter();
+    values.map(|(own, value)| equal(name(own.text()), of_expression(value))).collect()
 }
 
 pub(super) fn of_chain(spec: &Spec, plant: &Plant) -> Group {

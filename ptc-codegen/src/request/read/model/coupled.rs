@@ -2,11 +2,11 @@
 
 use super::super::least_energy::is_least_energy;
 use super::super::{Reader, items};
+use super::names::Names;
 use crate::diagnostic::counted;
 use crate::expression::{Expression, Variable};
 use crate::keys::KeyInfo;
-use crate::model::{Coupled, own_names};
-use crate::parameter::Name;
+use crate::model::Coupled;
 use crate::request::{After, Spec, What};
 use crate::syntax::{Node, Value};
 
@@ -51,46 +51,36 @@ impl Reader<'_> {
             self.found.push("missing-key", key, None, message, format!("give {legal}"));
         }
         let [states, inputs, third, fourth] = wanted.map(|key| self.keys.get(key).copied());
-        let (states, inputs) = self.names(states?, ("inputs", items(inputs?)))?;
-        let own = own_names(&states);
-        match lagrangian {
-            true => self.lagrangian((states, inputs), &own, (third?, fourth?)),
-            false => self.decoupled((states, inputs), &own, (third?, fourth?)),
-        }
+        let named = self.names(states?, ("inputs", items(inputs?)))?;
+        let controls = (named.0.len() + 1..).map(Variable::State);
+        let mut names = Names::new(named, controls);
+        self.intermediates(&mut names)?;
+        let coupled = match lagrangian {
+            true => self.lagrangian(&names, (third?, fourth?)),
+            false => self.decoupled(&names, (third?, fourth?)),
+        };
+        coupled.map(|coupled| Coupled { intermediates: names.intermediates, ..coupled })
     }
 
-    fn decoupled(
-        &mut self,
-        (states, inputs): (Vec<Name>, Vec<Name>),
-        own: &[(Name, Variable)],
-        (outputs, dynamics): (&Node, &Node),
-    ) -> Option<Coupled> {
-        let m = inputs.len();
-        self.count("outputs", outputs, m, "the inputs")?;
-        let rates = self.state_rates(dynamics, &states)?;
-        let controls = (states.len() + 1..).map(Variable::State);
-        let driven: Vec<_> =
-            own.iter().copied().chain(inputs.iter().copied().zip(controls)).collect();
-        let given = self.all_of(items(outputs), own, &inputs);
-        let dynamics: Vec<_> =
-            rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
+    fn decoupled(&mut self, names: &Names, (outputs, dynamics): (&Node, &Node)) -> Option<Coupled> {
+        let Names { states, inputs, .. } = names;
+        self.count("outputs", outputs, inputs.len(), "the inputs")?;
+        let rates = self.state_rates(dynamics, states)?;
+        let given = self.all_of(items(outputs), names);
+        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_model(rate, names)).collect();
         let dynamics = dynamics.into_iter().collect::<Option<Vec<_>>>()?;
         let values = self.fixed_names();
         match Coupled::new((states.clone(), inputs.clone()), &given?, dynamics, &values) {
             Ok(coupled) => Some(coupled),
             Err(ill) => {
-                self.ill_coupled(&ill, (&states, &inputs), &rates, ("outputs", outputs));
+                self.ill_coupled(&ill, (states, inputs), &rates, ("outputs", outputs));
                 None
             }
         }
     }
 
-    fn lagrangian(
-        &mut self,
-        (states, inputs): (Vec<Name>, Vec<Name>),
-        own: &[(Name, Variable)],
-        (inertia, bias): (&Node, &Node),
-    ) -> Option<Coupled> {
+    fn lagrangian(&mut self, names: &Names, (inertia, bias): (&Node, &Node)) -> Option<Coupled> {
+        let Names { states, inputs, .. } = names;
         let m = inputs.len();
         if states.len() != 2 * m {
             let place = self.keys.get("states").map(|node| node.place);
@@ -109,18 +99,16 @@ impl Reader<'_> {
         let mut rows = Vec::with_capacity(m);
         for row in items(inertia) {
             self.count("inertia", row, m, "the columns of a square matrix")?;
-            rows.push(self.all_of(items(row), &own[..m], &inputs));
+            rows.push(self.all_of(items(row), names));
         }
-        let bias = self.all_of(items(bias), own, &inputs)?;
+        let bias = self.all_of(items(bias), names)?;
         let rows = rows.into_iter().collect::<Option<Vec<_>>>()?;
         let rate = |e: &Expression| {
-            let names = &states[m..];
-            e.parameters()
-                .into_iter()
-                .find(|p| names.iter().any(|name| p.spelling() == name.text()))
+            let mut rates = (m + 1..).zip(&states[m..]);
+            rates.find(|(j, _)| e.contains(Variable::State(*j))).map(|(_, name)| name)
         };
         if let Some(rate) = rows.iter().flatten().find_map(rate) {
-            let message = format!("the inertia depends on the rate `{}`", rate.spelling());
+            let message = format!("the inertia depends on the rate `{rate}`");
             let help =
                 "the inertia is of the coordinates alone: what the rates do belongs in `bias`";
             self.wrong("inertia", Some(inertia.place), message, help.to_owned());
@@ -130,7 +118,7 @@ impl Reader<'_> {
         match Coupled::lagrangian((states.clone(), inputs.clone()), (rows, bias), &values) {
             Ok(coupled) => Some(coupled),
             Err(ill) => {
-                self.ill_coupled(&ill, (&states, &inputs), &[], ("inertia", inertia));
+                self.ill_coupled(&ill, (states, inputs), &[], ("inertia", inertia));
                 None
             }
         }
@@ -150,13 +138,8 @@ impl Reader<'_> {
         None
     }
 
-    fn all_of(
-        &mut self,
-        nodes: &[Node],
-        own: &[(Name, Variable)],
-        inputs: &[Name],
-    ) -> Option<Vec<Expression>> {
-        let all: Vec<_> = nodes.iter().map(|node| self.of_states(node, own, inputs)).collect();
+    fn all_of(&mut self, nodes: &[Node], names: &Names) -> Option<Vec<Expression>> {
+        let all: Vec<_> = nodes.iter().map(|node| self.of_states(node, names)).collect();
         all.into_iter().collect()
     }
 

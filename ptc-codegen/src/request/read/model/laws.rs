@@ -59,17 +59,20 @@ impl Reader<'_> {
         law
     }
 
-    /// Returns true if a law does not use an input of the plant, which follows from it; else records a diagnostic.
+    /// Returns true if a law does not use an input of the plant, itself or in an intermediate value, as it follows from
+    /// the law; else records a diagnostic.
     pub(in super::super) fn gives_inputs(
         &mut self,
         node: &Node,
         law: &Expression,
-        inputs: &[Name],
+        inputs: &[(Name, Variable)],
     ) -> bool {
-        let is_input = |p: &Parameter| matches!(p, Parameter::Named(name) if inputs.contains(name));
-        let Some(input) = law.parameters().into_iter().find(is_input) else { return true };
-        let message =
-            format!("`{}` is an input of the plant, which follows from pi0", input.spelling());
+        let parameters = law.parameters();
+        let is_used = |(name, input): &&(Name, Variable)| {
+            parameters.contains(&Parameter::Named(*name)) || law.contains(*input)
+        };
+        let Some((input, _)) = inputs.iter().find(is_used) else { return true };
+        let message = format!("`{input}` is an input of the plant, which follows from pi0");
         let help = "pi0 is an expression in the states, those in stretched time and t; a parameter needs another name";
         self.found.push("bad-expression", "pi0", Some(node.place), message, help);
         false
@@ -90,13 +93,16 @@ impl Reader<'_> {
         let own: Vec<_> = parts.chain(derivatives).collect();
         let scope = Scope { subject: Subject::Law, n: 0, known, own: &own };
         let law = resolve(node, scope, &mut self.found)?;
-        if !self.gives_inputs(node, &law, &coupled.inputs) {
-            return None;
-        }
         let part = |e: &Expression| match e.variable()? {
             Variable::State(j) => names.get(j - 1).map(|(_, part)| part.clone()),
             _ => None,
         };
+        let law = law.substitute(&part);
+        let controls = (coupled.states.len() + 1..).map(Variable::State);
+        let inputs: Vec<_> = coupled.inputs.iter().copied().zip(controls).collect();
+        if !self.gives_inputs(node, &law, &inputs) {
+            return None;
+        }
         if let Some(absent) = law.parameters().into_iter().find(is_of_plant) {
             let message = format!("`{}` is no part of the plant", absent.spelling());
             let all: Vec<_> = names.iter().map(|(name, _)| name.text()).collect();
@@ -111,7 +117,7 @@ impl Reader<'_> {
             self.found.push("bad-expression", "pi0", Some(node.place), message, help);
             return None;
         }
-        Some(law.substitute(&part))
+        Some(law)
     }
 }
 

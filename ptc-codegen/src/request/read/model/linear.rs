@@ -15,7 +15,7 @@ use crate::request::{Entry, MAX_ORDER, Spec, What};
 use crate::syntax::{Node, Value};
 
 /// The keys that A, B and C stand for.
-const REPLACED: [&str; 4] = ["input", "output", "dynamics", "measured"];
+const REPLACED: [&str; 5] = ["input", "output", "dynamics", "let", "measured"];
 
 /// Reason why a model is not A, B and C: key, place, message, help.
 type Refusal = (&'static str, Option<Place>, String, String);

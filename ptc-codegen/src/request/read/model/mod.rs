@@ -2,19 +2,21 @@
 
 mod coupled;
 mod ill;
+mod intermediates;
 mod laws;
 mod linear;
 mod names;
 mod references;
 
+use names::Names;
 pub(crate) use names::state_name;
 
 use super::Reader;
 use crate::collect::map;
 use crate::expression::constant::real;
-use crate::expression::{Expression, Scope, Subject, Variable, resolve};
+use crate::expression::{Expression, Variable};
 use crate::keys::KeyInfo;
-use crate::model::{Chain, Model, Values, own_names};
+use crate::model::{Chain, Model, Values};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{Feedback, Spec, What};
 use crate::syntax::Node;
@@ -36,7 +38,7 @@ impl Reader<'_> {
         let of_plant =
             |key: &str| ["output", "states"].contains(&key) && self.keys.contains_key("A");
         let mut given = KEYS.iter().filter(|key| self.keys.contains_key(**key));
-        given.any(|key| !of_plant(key)) || self.has_coupled()
+        given.any(|key| !of_plant(key)) || self.keys.contains_key("let") || self.has_coupled()
     }
 
     /// The model, if there is one that can be read.
@@ -57,21 +59,21 @@ impl Reader<'_> {
             }
         }
         let [states, input, output, dynamics] = KEYS.map(|key| self.keys.get(key).copied());
-        let (states, inputs) = self.names(states?, ("input", std::slice::from_ref(input?)))?;
-        let [input] = *inputs.as_slice() else { return None };
-        let own = own_names(&states);
+        let named = self.names(states?, ("input", std::slice::from_ref(input?)))?;
+        let mut names = Names::new(named, std::iter::once(Variable::Control));
+        self.intermediates(&mut names)?;
         let output_node = output?;
-        let output = self.of_states(output_node, &own, &inputs);
-        let rates = self.state_rates(dynamics?, &states)?;
-        let driven = [own.as_slice(), &[(input, Variable::Control)]].concat();
-        let dynamics: Vec<_> =
-            rates.iter().map(|rate| self.of_states(rate, &driven, &[])).collect();
+        let output = self.of_states(output_node, &names);
+        let rates = self.state_rates(dynamics?, &names.states)?;
+        let dynamics: Vec<_> = rates.iter().map(|rate| self.of_model(rate, &names)).collect();
         let dynamics: Vec<_> = dynamics.into_iter().collect::<Option<_>>()?;
+        let Names { states, inputs, intermediates, .. } = names;
+        let [input] = *inputs.as_slice() else { return None };
         let output = output?;
         let values = self.fixed_names();
         match Chain::new((&states, input), &output, &dynamics, &values) {
             Ok(Chain { coordinates, drift, gain }) => {
-                let model = Model { states, input, output, dynamics, coordinates };
+                let model = Model { states, input, intermediates, output, dynamics, coordinates };
                 Some(Read { model, drift, gain })
             }
             Err(ill) => {
@@ -112,18 +114,10 @@ impl Reader<'_> {
         ]);
     }
 
-    /// An expression in these names and in parameters, in which the `inputs` do not occur.
-    fn of_states(
-        &mut self,
-        node: &Node,
-        own: &[(Name, Variable)],
-        inputs: &[Name],
-    ) -> Option<Expression> {
-        let scope = Scope { subject: Subject::Model, n: 0, known: &[], own };
-        let expression = resolve(node, scope, &mut self.found)?;
-        // An input is not in `own` there, so that its name is a parameter.
-        let is_input = |p: &Parameter| matches!(p, Parameter::Named(name) if inputs.contains(name));
-        if expression.parameters().iter().any(is_input) {
+    /// An expression of a model in which the inputs do not occur.
+    fn of_states(&mut self, node: &Node, names: &Names) -> Option<Expression> {
+        let expression = self.of_model(node, names)?;
+        if names.controls.iter().any(|input| expression.contains(*input)) {
             let message = "the output depends on the input".to_owned();
             let help = "the output is a function of the states alone".to_owned();
             self.wrong("output", Some(node.place), message, help);

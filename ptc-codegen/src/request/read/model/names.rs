@@ -1,13 +1,59 @@
-//! The names of a model, and which rate is whose.
+//! The names of a model, its expressions in them, and which rate is whose.
 
 use super::super::{Reader, items, shown, suggestion};
-use crate::diagnostic::{counted, near_miss, shorten};
-use crate::expression::Function;
-use crate::limits::{INPUTS, STATES};
+use crate::diagnostic::{LARGE, counted, near_miss, shorten};
+use crate::expression::{Expression, Function, Scope, Subject, Variable, resolve};
+use crate::limits::{HEIGHT, INPUTS, SIZE, STATES};
+use crate::model::{Intermediates, own_names};
 use crate::parameter::Name;
 use crate::syntax::{Argument, Node, Value};
 
+/// The names with which the expressions of a model are read.
+pub(super) struct Names {
+    pub(super) states: Vec<Name>,
+    pub(super) inputs: Vec<Name>,
+    /// The inputs in its expressions.
+    pub(super) controls: Vec<Variable>,
+    /// The intermediate values that are read so far.
+    pub(super) intermediates: Intermediates,
+}
+
+impl Names {
+    /// The names of a plant, whose inputs are these variables.
+    pub(super) fn new(
+        (states, inputs): (Vec<Name>, Vec<Name>),
+        controls: impl Iterator<Item = Variable>,
+    ) -> Self {
+        let controls = controls.take(inputs.len()).collect();
+        Self { states, inputs, controls, intermediates: Intermediates::default() }
+    }
+
+    /// Number of variables before those that stand for intermediate values while an expression is read.
+    fn behind(&self) -> usize {
+        self.states.len() + self.inputs.len()
+    }
+}
+
 impl Reader<'_> {
+    /// An expression of a model in all of its names and in parameters.
+    pub(super) fn of_model(&mut self, node: &Node, names: &Names) -> Option<Expression> {
+        let mut own = own_names(&names.states);
+        own.extend(names.inputs.iter().copied().zip(names.controls.iter().copied()));
+        own.extend(names.intermediates.variables(names.behind()));
+        let scope = Scope { subject: Subject::Model, n: 0, known: &[], own: &own };
+        let read = resolve(node, scope, &mut self.found)?;
+        let whole = names.intermediates.put(&read, names.behind());
+        for (limit, size) in [(HEIGHT, whole.height()), (SIZE, whole.nodes())] {
+            if !limit.admits(size) {
+                let subject = "an expression with the intermediate values in it";
+                let message = limit.exceeded(subject, size);
+                self.found.push(LARGE, Subject::Model.key(), Some(node.place), message, limit.fix);
+                return None;
+            }
+        }
+        Some(whole)
+    }
+
     /// The names of the states and of the inputs, which are given under `key`.
     pub(in super::super) fn names(
         &mut self,

@@ -44,6 +44,9 @@ impl Reader<'_> {
     pub(in super::super) fn is_of_time(&mut self, node: &Node, given: &Expression) -> bool {
         let keys = ["states", "input", "inputs"].map(|key| self.keys.get(key).copied());
         let names: Vec<_> = keys.into_iter().flatten().flat_map(items).filter_map(word).collect();
+        if !self.names_no_intermediate(("reference", node), &given.parameters()) {
+            return false;
+        }
         let of_plant = |p: &Parameter| names.contains(&p.spelling().as_str());
         let Some(name) = given.parameters().into_iter().find(of_plant) else { return true };
         let message = format!("`{}` is a state or an input of the plant", name.spelling());

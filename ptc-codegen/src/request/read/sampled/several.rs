@@ -141,11 +141,5 @@ fn of_chains(coupled: &Coupled, plant: &Several, chains: &Chains) -> Coupled {
         determinant: Expression::integer(1),
         adjugate: chains.inverse.iter().map(number).collect(),
     };
-    Coupled {
-        states: coupled.states.clone(),
-        inputs: coupled.inputs.clone(),
-        outputs,
-        inverse,
-        is_of_axes: false,
-    }
+    Coupled { outputs, inverse, is_of_axes: false, ..coupled.clone() }
 }
