@@ -458,8 +458,8 @@ pub static KEYS: [KeyInfo; 79] = [
     },
     KeyInfo {
         key: "urdf",
-        meaning: "URDF file of a robot, of which emit generates functions; its path is relative to the design file",
-        legal: "a path, with what = inverse-dynamics, mass-matrix or jacobian",
+        meaning: "URDF file of a robot, which is the plant; its path is relative to the design file",
+        legal: "a path; with what = inverse-dynamics, mass-matrix or jacobian emit generates functions of the robot",
         example: "arm.urdf",
     },
     KeyInfo {
@@ -530,6 +530,11 @@ impl KeyInfo {
     /// Returns true if the value of a key is a text that is taken as it stands, such as a path.
     pub fn is_text(key: &str) -> bool {
         matches!(key.strip_prefix("robot.").unwrap_or(key), "urdf" | "base" | "tip")
+    }
+
+    /// Returns true if the value of a key is the path of a file that the design consists of.
+    pub fn is_file(key: &str) -> bool {
+        key == "urdf"
     }
 
     /// Whether it is on or off: a boolean of TOML, and a flag that needs no value.

@@ -7,7 +7,8 @@ mod determinant;
 mod lie;
 pub(crate) mod zeros;
 
-pub use coupled::{Coupled, Inverse, Output};
+pub(crate) use coupled::arm;
+pub use coupled::{Arm, Coupled, Inverse, Output};
 pub use lie::{Chain, Ill};
 pub(crate) use lie::{at_rest, gains};
 

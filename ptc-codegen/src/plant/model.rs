@@ -10,7 +10,7 @@
 //! Of a mechanical model it is `inertia` and `bias` that may differ.
 
 use super::read::{Given, value};
-use super::{Mechanics, Plant, TABLE};
+use super::{Equations, Mechanics, Plant, TABLE};
 use crate::diagnostic::{Diagnostics, counted, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::parameter::{Name, Parameter};
@@ -24,7 +24,18 @@ const MECHANICS: [&str; 2] = ["inertia", "bias"];
 /// The plant of the controller of `spec`, with all mistakes.
 pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
     let mut plant = Plant::own(spec);
-    let keys: &[&str] = if plant.mechanics.is_some() { &MECHANICS } else { &DYNAMICS };
+    let keys: &[&str] = match &plant.mechanics {
+        None => &DYNAMICS,
+        Some(Mechanics::Equations(_)) => &MECHANICS,
+        Some(Mechanics::Robot(_)) => {
+            if let Some((name, (place, _))) = given.iter().next() {
+                let message = format!("`{name}` under [plant] of a robot");
+                let help = "leave it out: the plant is the robot of the URDF itself";
+                found.push("conflict", format!("{TABLE}.{name}"), Some(*place), message, help);
+            }
+            return plant;
+        }
+    };
     if let (Some((place, _)), true) = (given.get(DYNAMICS[0]), plant.mechanics.is_some()) {
         let message =
             "`dynamics` of a mechanical plant, whose rates follow from `inertia` and `bias`";
@@ -33,8 +44,8 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
         return plant;
     }
     let whole = match &mut plant.mechanics {
-        Some(mechanics) => equations(mechanics, given, spec, found),
-        None => given
+        Some(Mechanics::Equations(own)) => equations(own, given, spec, found),
+        _ => given
             .get(DYNAMICS[0])
             .is_none_or(|(_, node)| rates(&mut plant.dynamics, node, spec, found)),
     };
@@ -107,7 +118,7 @@ fn names(spec: &Spec) -> (&[Name], &[Name]) {
 
 /// Puts the given equations in place of those of the model; whether all could be read.
 fn equations(
-    mechanics: &mut Mechanics,
+    mechanics: &mut Equations,
     given: &Given<'_>,
     spec: &Spec,
     found: &mut Diagnostics,

@@ -250,6 +250,9 @@ impl Spec {
 
 /// The flags of a plant with several inputs.
 fn coupled_words(coupled: &Coupled) -> Vec<String> {
+    if let Inverse::Robot(arm) = &coupled.inverse {
+        return arm.source.words();
+    }
     let texts = |all: &[Expression]| {
         let all: Vec<_> = all.iter().map(|e| coupled.text(e)).collect();
         all.join(", ")
@@ -272,6 +275,7 @@ fn coupled_words(coupled: &Coupled) -> Vec<String> {
             words.push(format!("--inertia=\"[{}]\"", rows.join(", ")));
             words.push(format!("--bias=\"{}\"", texts(bias)));
         }
+        Inverse::Robot(_) => {}
     }
     words
 }

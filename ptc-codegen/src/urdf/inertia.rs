@@ -8,7 +8,7 @@ use super::geometry::{Matrix, Placement, Vector, product, sum, times, transposed
 use crate::algebra::{BigRational, integer};
 
 /// The inertia of a body about the origin of a frame. All of it is linear in the density, so bodies add up.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Inertia {
     /// Mass.
     pub mass: BigRational,

@@ -4,16 +4,22 @@
 //! joint turns about or slides along the z axis of its body, and mass, first moment and second moments of a body are
 //! those about the origin of its frame.
 
+#[cfg(feature = "files")]
 mod angle;
+#[cfg(feature = "files")]
 mod document;
 mod geometry;
 mod inertia;
+mod source;
+#[cfg(feature = "files")]
 mod tree;
 
 pub use geometry::{Matrix, Placement, Vector};
 pub use inertia::Inertia;
+pub use source::{Ends, Source};
 
 use crate::algebra::BigRational;
+#[cfg(feature = "files")]
 use document::Document;
 
 /// A mistake in a URDF file.
@@ -27,19 +33,11 @@ pub struct Wrong {
     pub help: String,
 }
 
+#[cfg(feature = "files")]
 impl Wrong {
     fn whole(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), help: help.into() }
     }
-}
-
-/// The links between which a robot is taken from its file.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Ends {
-    /// Link that does not move; `None` for the root of the file.
-    pub base: Option<String>,
-    /// Links at the ends of chains; empty for all that the base carries.
-    pub tips: Vec<String>,
 }
 
 /// Motion of a joint.
@@ -52,7 +50,7 @@ pub enum Motion {
 }
 
 /// A body with the joint that moves it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Body {
     /// Name of the joint.
     pub joint: String,
@@ -67,7 +65,7 @@ pub struct Body {
 }
 
 /// A robot: bodies with one degree of freedom each, parents before children.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Robot {
     /// Name in the file.
     pub name: String,
@@ -82,7 +80,7 @@ pub struct Robot {
 }
 
 /// A frame on a body.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Tip {
     /// Name of the link.
     pub link: String,
@@ -110,16 +108,25 @@ impl Robot {
 /// # Errors
 /// The first mistake: XML that is not well-formed, an element without what it needs, a number that is not one, links
 /// that joints do not connect to one tree, or a joint of a kind that is not supported.
+#[cfg(feature = "files")]
 pub fn read(text: &str, ends: &Ends) -> Result<Robot, Wrong> {
     let document = Document::read(text)?;
     tree::robot(&document, ends)
 }
 
 /// A number rounded to a multiple of 2^-`bits`, so that products of many stay short.
+#[cfg(feature = "files")]
 fn rounded(value: &BigRational, bits: usize) -> BigRational {
     let scale = BigRational::from_integer(num_bigint::BigInt::from(1) << bits);
     (value * &scale).round() / scale
 }
 
 /// Bits behind the point of what is irrational: some thirty digits, twice those of a double.
+#[cfg(feature = "files")]
 const BITS: usize = 110;
+
+/// A name of a URDF file in characters that every comment can hold.
+pub(crate) fn plain(name: &str) -> String {
+    let legal = |c: char| c.is_ascii_alphanumeric() || "_-.+: ".contains(c);
+    name.chars().map(|c| if legal(c) { c } else { '_' }).collect()
+}

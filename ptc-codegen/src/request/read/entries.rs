@@ -9,7 +9,7 @@ use crate::syntax::{Node, Value};
 /// Returns true if a name occurs in a value.
 fn uses(node: &Node, name: &str) -> bool {
     match &node.value {
-        Value::Number(_) | Value::Imaginary(_) => false,
+        Value::Number(_) | Value::Imaginary(_) | Value::File(..) => false,
         Value::Word(word) => word == name,
         Value::List(items) => items.iter().any(|item| uses(item, name)),
         Value::Table(items) | Value::Call(_, items) => {
