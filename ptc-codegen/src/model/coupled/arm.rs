@@ -19,7 +19,7 @@ pub(crate) fn names(joints: usize) -> Option<(Vec<Name>, Vec<Name>)> {
     let numbered = |stem: &str| -> Option<Vec<Name>> {
         (1..=joints).map(|j| Name::new(&format!("{stem}{j}"))).collect()
     };
-    Some(([numbered("q")?, numbered("v")?].concat(), numbered("torque")?))
+    Some(([numbered("q")?, numbered("dq")?].concat(), numbered("torque")?))
 }
 
 impl Arm {
@@ -58,7 +58,7 @@ fn joint(j: usize, body: &Body) -> String {
         Motion::Revolute => ("revolute", "rad, rad/s, N m"),
         Motion::Prismatic => ("prismatic", "m, m/s, N"),
     };
-    format!("q{j}, v{j}, torque{j}: {kind} joint {} ({units})", plain(&body.joint))
+    format!("q{j}, dq{j}, torque{j}: {kind} joint {} ({units})", plain(&body.joint))
 }
 
 impl Coupled {

@@ -17,11 +17,10 @@ impl Reader<'_> {
     /// Returns true if a design asks for functions of a robot, and refuses it: only `emit` knows them.
     pub(super) fn is_robot(&mut self, entries: &[Entry]) -> bool {
         let given = |key: &str| entries.iter().find(|entry| entry.key == key);
-        let what = given("what").map(|entry| (entry.place, asked_for(entry)));
+        let what = given("what").map(|entry| (entry.value.place, asked_for(entry)));
+        let function = what.filter(|(_, what)| ROBOT_FUNCTIONS.contains(&what.as_str()));
         let urdf = given("urdf");
-        if let (Some(_), Some((place, function))) =
-            (urdf, what.as_ref().filter(|(_, function)| function != CONTROLLER))
-        {
+        if let (Some(_), Some((place, function))) = (urdf, &function) {
             let message = format!("what = {function} is of `emit`");
             let help = "generate functions of a robot with `ptc-codegen emit`, or leave `what` out for its controller";
             // Its other keys are not examined.
@@ -36,7 +35,6 @@ impl Reader<'_> {
                 self.found.push("conflict", key, Some(entry.place), message, help);
             }
         }
-        let function = what.filter(|(_, what)| ROBOT_FUNCTIONS.contains(&what.as_str()));
         if let (Some((place, what)), None) = (function, urdf) {
             let message = format!("what = {what} without a robot");
             let help = "give urdf, the file of the robot";
@@ -47,8 +45,9 @@ impl Reader<'_> {
     }
 }
 
-/// The value of `what` for a controller.
-const CONTROLLER: &str = "controller";
+/// The values of `what` that are no functions of a robot.
+#[cfg(feature = "files")]
+const CONTROLLERS: [&str; 4] = ["controller", "associated", "observer", "filter"];
 
 /// The first value of `what`.
 fn asked_for(entry: &Entry) -> String {
@@ -59,7 +58,8 @@ fn asked_for(entry: &Entry) -> String {
 #[cfg(feature = "files")]
 pub(crate) fn asks_for_functions(entries: &[Entry]) -> bool {
     let given = |key: &str| entries.iter().find(|entry| entry.key == key);
-    given("urdf").is_some() && given("what").is_some_and(|entry| asked_for(entry) != CONTROLLER)
+    let of_controller = |entry: &Entry| CONTROLLERS.contains(&asked_for(entry).as_str());
+    given("urdf").is_some() && given("what").is_some_and(|entry| !of_controller(entry))
 }
 
 /// Reads where a robot comes from.
