@@ -43,9 +43,9 @@ pub(crate) use read::derivatives;
 pub use read::read_run;
 #[cfg(feature = "files")]
 pub(crate) use read::values::{LONGEST_NAME, chosen, hyphenated, named};
+pub use read::{Entry, read};
 #[cfg(feature = "files")]
 pub(crate) use read::{asks_for_functions, robot_of, robot_source};
-pub use read::{Entry, read};
 pub(crate) use read::{items, known, meant, state_name};
 pub use reference::Reference;
 pub use sampled::{DelayLaw, Exact, Exponents, Sampled};

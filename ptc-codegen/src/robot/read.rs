@@ -30,8 +30,8 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     fn request(&mut self) -> Option<Request> {
         self.only_own_keys();
-        let source = self.source();
         let quantities = self.quantities();
+        let source = self.source();
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
         let guard = [("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)];

@@ -28,10 +28,7 @@ pub(super) fn emit(
     }
 }
 
-fn files(
-    wanted: &Request,
-    language: Language,
-) -> Result<(String, Vec<File>), Vec<Diagnostic>> {
+fn files(wanted: &Request, language: Language) -> Result<(String, Vec<File>), Vec<Diagnostic>> {
     let robot = wanted.robot()?;
     Ok((wanted.name(&robot), emit_robot(wanted, &robot, language)?))
 }

@@ -1,0 +1,72 @@
+//! Runs of robots. The torques cancel what moves the joints, so each joint is a chain of integrators with its law, and
+//! the run of the tree is that of as many chains.
+
+use std::fs;
+
+use super::LAW;
+use super::lagrange::{Joint, tree, urdf};
+use crate::support::{folder, run_in};
+
+const X0: &str = "0.5,-0.3,0.8,-1,0.2,0.1,0.4,0.2,-0.5,1,0,-0.3";
+
+/// The rows of a run in a folder, without the torques.
+fn rows(folder: &std::path::Path, words: &[&str], states: usize) -> Vec<Vec<f64>> {
+    let (code, csv, told) = run_in(folder, &[&["simulate"], words].concat());
+    assert_eq!(code, Some(0), "{told}");
+    let numbers = |line: &str| -> Vec<f64> {
+        line.split(',')
+            .skip(1)
+            .take(1 + states)
+            .map(|cell| cell.parse().expect("a number"))
+            .collect()
+    };
+    csv.lines().skip(1).map(numbers).collect()
+}
+
+/// The folder of a design of a robot, and of the same law for chains.
+fn written(test: &str, joints: &[Joint], more: &str) -> std::path::PathBuf {
+    let folder = folder(test);
+    fs::write(folder.join("arm.urdf"), urdf(joints)).expect("a file");
+    fs::write(folder.join("arm.toml"), format!("{LAW}{more}")).expect("a file");
+    let (law, _) = LAW.split_once("[robot]").expect("a robot");
+    let chains = format!("n = 2\naxes = 6\n{law}");
+    fs::write(folder.join("chains.toml"), chains).expect("a file");
+    folder
+}
+
+#[test]
+fn joints_move_as_chains_of_integrators() {
+    for (test, more) in
+        [("gravity", "gravity = [0.4, -1.1, -9.7]\n"), ("weightless", "gravity = [0, 0, 0]\n")]
+    {
+        let folder = written(test, &tree(), more);
+        let arm = rows(&folder, &["arm.toml", "--x0", X0], 12);
+        // Of axes the states of one follow each other.
+        let x0: Vec<_> = X0.split(',').collect();
+        let x0: Vec<_> = (0..6).flat_map(|j| [x0[j], x0[6 + j]]).collect();
+        let chains = rows(&folder, &["chains.toml", "--x0", &x0.join(",")], 12);
+        assert_eq!(arm.len(), chains.len());
+        for (arm, chains) in arm.iter().zip(&chains) {
+            for j in 0..6 {
+                let [q, v] = [arm[1 + j] - chains[1 + 2 * j], arm[7 + j] - chains[2 + 2 * j]];
+                assert!(q.abs() < 1e-8 && v.abs() < 1e-7, "{arm:?}, not {chains:?}");
+            }
+        }
+        let last = arm.last().expect("rows");
+        let rest = last[1..7].iter().fold(0.0, |most: f64, q| most.max(q.abs()));
+        assert!((last[0] - 1.0).abs() < 1e-8 && rest < 1e-8, "{last:?}");
+    }
+}
+
+#[test]
+fn a_sampled_arm_follows_its_references() {
+    let more = "gravity = [0, 0, -9.81]\n";
+    let folder = written("samples", &tree(), more);
+    let flags =
+        ["arm.toml", "--sample-time", "0.001", "--reference", "0.3,0,0.2*t,0,-0.1,0", "--x0", X0];
+    let rows = rows(&folder, &flags, 12);
+    let last = rows.last().expect("rows");
+    for (q, wanted) in last[1..7].iter().zip([0.3, 0.0, 0.2, 0.0, -0.1, 0.0]) {
+        assert!((q - wanted).abs() < 1e-3, "{last:?}");
+    }
+}
