@@ -28,7 +28,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 79] = [
+pub static KEYS: [KeyInfo; 80] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -481,6 +481,12 @@ pub static KEYS: [KeyInfo; 79] = [
         example: "0,0,-9.81",
     },
     KeyInfo {
+        key: "payload",
+        meaning: "what the tip of a robot carries: mass, kg, and centre in the frame of the tip, m; with urdf",
+        legal: "4 numbers, or 10 with its inertia about the centre, ixx, iyy, izz, ixy, ixz, iyz, kg m^2; none if not given",
+        example: "0.5,0,0,0.1",
+    },
+    KeyInfo {
         key: "x0_max",
         meaning: "bounds of |x_i| at the start, 0 for a state at rest",
         legal: "n numbers >= 0; with several outputs in samples also a list for each",
@@ -501,9 +507,9 @@ pub static KEYS: [KeyInfo; 79] = [
 ];
 
 /// Keys whose names parameters may have too: the keys of a model, and the capitals that plants are full of.
-pub const PARAMETERS_TOO: [&str; 12] = [
+pub const PARAMETERS_TOO: [&str; 13] = [
     "inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C", "urdf", "base", "tip",
-    "gravity",
+    "gravity", "payload",
 ];
 
 /// The functions of a robot: further values of `what`.
@@ -522,7 +528,7 @@ impl KeyInfo {
             "A" | "B" | "C" => Some("plant"),
             "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia"
             | "bias" => Some("model"),
-            "urdf" | "base" | "tip" | "gravity" => Some("robot"),
+            "urdf" | "base" | "tip" | "gravity" | "payload" => Some("robot"),
             _ => None,
         }
     }

@@ -13,13 +13,17 @@ use super::read::{Given, value};
 use super::{Equations, Mechanics, Plant, TABLE};
 use crate::diagnostic::{Diagnostics, counted, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
+use crate::model::Arm;
 use crate::parameter::{Name, Parameter};
-use crate::request::{Spec, items, known};
+use crate::request::{NO_TIP, Spec, items, known, payload_of};
 use crate::syntax::{Argument, Node, Value};
 
 /// The keys of what differs from the model: its rates, or the equations of a mechanical one.
 const DYNAMICS: [&str; 1] = ["dynamics"];
 const MECHANICS: [&str; 2] = ["inertia", "bias"];
+
+/// What may differ of a robot.
+const PAYLOAD: &str = "payload";
 
 /// The plant of the controller of `spec`, with all mistakes.
 pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
@@ -27,12 +31,8 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
     let keys: &[&str] = match &plant.mechanics {
         None => &DYNAMICS,
         Some(Mechanics::Equations(_)) => &MECHANICS,
-        Some(Mechanics::Robot(_)) => {
-            if let Some((name, (place, _))) = given.iter().next() {
-                let message = format!("`{name}` under [plant] of a robot");
-                let help = "leave it out: the plant is the robot of the URDF itself";
-                found.push("conflict", format!("{TABLE}.{name}"), Some(*place), message, help);
-            }
+        Some(Mechanics::Robot(arm)) => {
+            plant.mechanics = Some(Mechanics::Robot(Box::new(robot(arm, given, found))));
             return plant;
         }
     };
@@ -76,6 +76,25 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
         }
     }
     plant
+}
+
+/// The robot of the plant, which may carry another payload than the law knows.
+fn robot(arm: &Arm, given: &Given<'_>, found: &mut Diagnostics) -> Arm {
+    let mut robot = arm.clone();
+    for (name, (place, node)) in given {
+        let key = format!("{TABLE}.{name}");
+        if *name != PAYLOAD {
+            let message = format!("`{name}` under [plant] of a robot");
+            let help = "leave it out: the plant is the robot of the URDF, which may carry another `payload`";
+            found.push("conflict", key, Some(*place), message, help);
+        } else if let Some(payload) = payload_of(node, &key, found) {
+            match arm.carrying(payload) {
+                Some(carrying) => robot = carrying,
+                None => found.push("bad-value", key, Some(*place), NO_TIP.0, NO_TIP.1),
+            }
+        }
+    }
+    robot
 }
 
 /// Describes the legal entries of `[plant]` besides a model, for a name that is not one.

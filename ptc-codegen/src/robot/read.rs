@@ -9,8 +9,8 @@ use crate::syntax::Value;
 use crate::urdf::Source;
 
 /// The keys that a robot takes.
-const KEYS: [&str; 9] =
-    ["name", "what", "precision", "guard", "fma", "urdf", "base", "tip", "gravity"];
+const KEYS: [&str; 10] =
+    ["name", "what", "precision", "guard", "fma", "urdf", "base", "tip", "gravity", "payload"];
 
 /// Reads what entries ask for of a robot.
 ///

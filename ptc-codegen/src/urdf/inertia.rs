@@ -59,6 +59,13 @@ impl Inertia {
         self.second = from_fn(|i| sum(&self.second[i], &more.second[i]));
     }
 
+    /// Takes out another body.
+    pub(super) fn subtract(&mut self, less: &Self) {
+        self.mass -= &less.mass;
+        self.first = from_fn(|i| &self.first[i] - &less.first[i]);
+        self.second = from_fn(|i| from_fn(|j| &self.second[i][j] - &less.second[i][j]));
+    }
+
     /// The part that acts on a body in the same way whatever the position of a joint about its z axis: what lies on that
     /// axis. It is taken out.
     pub(crate) fn take_on_axis(&mut self) -> Self {

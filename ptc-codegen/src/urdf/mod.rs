@@ -10,12 +10,15 @@ mod angle;
 mod document;
 mod geometry;
 mod inertia;
+mod payload;
 mod source;
 #[cfg(feature = "files")]
 mod tree;
 
 pub use geometry::{Matrix, Placement, Vector};
 pub use inertia::Inertia;
+pub use payload::Payload;
+pub(crate) use source::payload_text;
 pub use source::{Ends, Source};
 
 use crate::algebra::BigRational;

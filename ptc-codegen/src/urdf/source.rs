@@ -1,5 +1,6 @@
 //! Where a robot comes from: its file, the part that is taken, and its gravity.
 
+use super::Payload;
 use crate::algebra::BigRational;
 use crate::syntax::constant;
 
@@ -21,6 +22,8 @@ pub struct Source {
     pub ends: Ends,
     /// Acceleration of gravity in the frame of the base, m/s^2.
     pub gravity: [BigRational; 3],
+    /// What the tip carries.
+    pub payload: Option<Payload>,
 }
 
 impl Source {
@@ -31,6 +34,7 @@ impl Source {
         let tips = self.ends.tips.join(",");
         words.extend((!tips.is_empty()).then(|| format!("--tip {}", quoted(&tips))));
         words.push(format!("--gravity={}", self.gravity_text(",")));
+        words.extend(self.payload.as_ref().map(|own| format!("--payload={}", payload_text(own))));
         words
     }
 
@@ -39,6 +43,11 @@ impl Source {
         let all: Vec<_> = self.gravity.iter().map(constant::text).collect();
         all.join(between)
     }
+}
+
+/// Returns the numbers of a payload with commas in between.
+pub(crate) fn payload_text(payload: &Payload) -> String {
+    payload.numbers().map(constant::text).collect::<Vec<_>>().join(",")
 }
 
 /// A word of a command line, in quotes where a shell would read more into it. Characters that the comments of emitted

@@ -48,8 +48,7 @@ int main(void)
 const MAIN_IN_RUST: &str = r#"#[allow(dead_code, unexpected_cfgs)]
 mod of_robot;
 fn main() {
-    let mut robot = of_robot::OfRobot::default();
-    robot.init(&of_robot::OfRobotParams {}).expect("no parameters");
+    let robot = of_robot::OfRobot::new(of_robot::OfRobotParams {}).expect("no parameters");
     for k in 0..40 {
         let at = f64::from(k);
         let x = [0.7 - 0.02 * at, 1.9 - 0.07 * at, 1.1 * at.sin(), 0.9 * (2.0 * at).cos()];
@@ -127,6 +126,9 @@ fn what_a_controller_of_a_robot_lacks_is_refused_by_name() {
     fs::write(folder.join("arm.urdf"), ARM).expect("writable");
     let text = "mu = \"exp(a=1)\"\npoles = [-3, -4]\n[params]\ntau = 1\nt0 = 0\neps = 0.01\nu_max = inf\n[robot]\nurdf = \"arm.urdf\"\n";
     fs::write(folder.join("arm.toml"), text).expect("writable");
+    let sampled =
+        format!("clock = \"samples\"\nsample_time = 0.001\n{}", text.replace("t0 = 0\n", ""));
+    fs::write(folder.join("sampled.toml"), sampled).expect("writable");
     for (words, expected) in [
         (
             vec!["emit", "arm.toml", "--lang", "c", "--selftest"],
@@ -152,8 +154,7 @@ fn what_a_controller_of_a_robot_lacks_is_refused_by_name() {
         let (code, _, told) = run_in(&folder, &words);
         assert!(code != Some(0) && told.starts_with(expected), "{words:?}: {told}");
     }
-    let (_, told, _) =
-        run_in(&folder, &["check", "arm.toml", "--clock", "samples", "--sample-time", "0.001"]);
+    let (_, told, _) = run_in(&folder, &["check", "sampled.toml"]);
     assert!(
         told.contains("loop        not checked: the loop of a robot has no bounds yet"),
         "{told}"

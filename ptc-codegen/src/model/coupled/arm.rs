@@ -3,7 +3,7 @@
 use super::{Coupled, Inverse, Output};
 use crate::expression::{Expression, Variable};
 use crate::parameter::Name;
-use crate::urdf::{Body, Motion, Robot, Source, plain};
+use crate::urdf::{Body, Motion, Payload, Robot, Source, payload_text, plain};
 
 /// A robot, and where it comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +23,12 @@ pub(crate) fn names(joints: usize) -> Option<(Vec<Name>, Vec<Name>)> {
 }
 
 impl Arm {
+    /// The same with another payload; `None` if nothing carries it.
+    pub(crate) fn carrying(&self, payload: Payload) -> Option<Self> {
+        let robot = self.robot.carrying(Some(&payload), self.source.payload.as_ref())?;
+        Some(Self { source: Source { payload: Some(payload), ..self.source.clone() }, robot })
+    }
+
     /// Prints it, a line each: what it is, and its joints.
     pub fn lines(&self) -> Vec<String> {
         let Self { source, robot } = self;
@@ -33,6 +39,9 @@ impl Arm {
             plain(&robot.base),
         )];
         lines.extend((1..).zip(&robot.bodies).map(|(j, body)| joint(j, body)));
+        if let Some(payload) = &source.payload {
+            lines.push(format!("payload at the tip: {}", payload_text(payload)));
+        }
         if !robot.held.is_empty() {
             let held: Vec<_> = robot.held.iter().map(|name| plain(name)).collect();
             lines.push(format!("held at position 0: {}", held.join(", ")));

@@ -11,7 +11,7 @@ use crate::parameter::Fixed;
 use crate::syntax::{Node, Value, number};
 #[cfg(feature = "files")]
 use crate::urdf::{self, Robot};
-use crate::urdf::{Ends, Source};
+use crate::urdf::{Ends, Payload, Source};
 
 impl Reader<'_> {
     /// Returns true if a design asks for functions of a robot, and refuses it: only `emit` knows them.
@@ -28,7 +28,7 @@ impl Reader<'_> {
             self.found.push("conflict", "what", Some(*place), message, help);
             return true;
         }
-        for key in ["base", "tip", "gravity"] {
+        for key in ["base", "tip", "gravity", "payload"] {
             if let (Some(entry), None) = (given(key), urdf) {
                 let message = format!("`{key}` without a robot");
                 let help = "give urdf, the file of the robot, or leave it out";
@@ -75,8 +75,9 @@ pub(crate) fn robot_source<'a>(
     }
     let base = value("base").map(|node| node.value.to_string());
     let tips = value("tip").map(names).unwrap_or_default();
-    let gravity = gravity(value("gravity"), found)?;
-    Some(Source { urdf: path, ends: Ends { base, tips }, gravity })
+    let (gravity, payload) = (gravity(value("gravity"), found), payload(value("payload"), found));
+    let (gravity, payload) = (gravity?, payload?);
+    Some(Source { urdf: path, ends: Ends { base, tips }, gravity, payload })
 }
 
 fn gravity(node: Option<&Node>, found: &mut Diagnostics) -> Option<[BigRational; 3]> {
@@ -97,6 +98,27 @@ fn gravity(node: Option<&Node>, found: &mut Diagnostics) -> Option<[BigRational;
     }
     vector
 }
+
+/// The payload, if there is one; `None` if it cannot be read.
+fn payload(node: Option<&Node>, found: &mut Diagnostics) -> Option<Option<Payload>> {
+    node.map(|node| payload_of(node, "payload", found)).map_or(Some(None), |own| own.map(Some))
+}
+
+/// The payload that a value is.
+pub(crate) fn payload_of(node: &Node, key: &str, found: &mut Diagnostics) -> Option<Payload> {
+    let numbers: Option<Vec<BigRational>> = items(node).iter().map(known).collect();
+    let payload = numbers.and_then(|numbers| Payload::of(&numbers));
+    if payload.is_none() {
+        let message = format!("{key} = {}", node.value);
+        let help = "give its mass in kg and its centre in the frame of the tip in m, 0.5, 0, 0, 0.1, and behind them, if it is known, its inertia about the centre, ixx, iyy, izz, ixy, ixz, iyz in kg m^2";
+        found.push("bad-value", key, Some(node.place), message, help);
+    }
+    payload
+}
+
+/// What is said of a payload that nothing carries.
+pub(crate) const NO_TIP: (&str, &str) =
+    ("a payload needs one `tip` that moves", "give the link that carries it as `tip`");
 
 /// The names in a list, or in a text with commas.
 fn names(node: &Node) -> Vec<String> {
@@ -151,5 +173,13 @@ pub(crate) fn robot_of(
         found.push("bad-value", "urdf", Some(place), message, help);
         return None;
     }
-    Some(robot)
+    let carried = match &source.payload {
+        None => Some(robot),
+        Some(payload) => robot.carrying(Some(payload), None),
+    };
+    if carried.is_none() {
+        let (message, help) = NO_TIP;
+        found.push("bad-value", "payload", None, message, help);
+    }
+    carried
 }

@@ -86,14 +86,42 @@ fn an_arm_has_the_torques_of_its_inertia_and_bias() {
         |line: &&str| !["m1", "m2", "l1", "l2", "grav"].iter().any(|own| line.starts_with(own));
     let head: Vec<_> = head.lines().filter(kept).collect();
     let of_robot = format!(
-        "{}\nu_max = inf\n[robot]\nurdf = \"arm.urdf\"\ngravity = [0, -9.81, 0]\n",
+        "{}\nt0 = 0\nu_max = inf\n[robot]\nurdf = \"arm.urdf\"\ngravity = [0, -9.81, 0]\n",
         head.join("\n")
     );
     let of_robot = robot(&of_robot, &joints);
-    let of_model = spec(&text.replace("limits = [120, 60]", "limits = [inf, inf]"));
+    let of_model = text.replace("limits = [120, 60]", "limits = [inf, inf]");
+    let of_model = spec(&of_model.replace("[params]", "[params]\nt0 = 0"));
     let mut state = 7;
     for t in [0.0, 5.0, 10.0, 18.0, 25.0] {
         let x: Vec<_> = (0..4).map(|_| draw(&mut state)).collect();
         close(&torques(&of_robot, t, &x), &torques(&of_model, t, &x), 1e-14);
     }
+}
+
+#[test]
+fn a_payload_is_a_body_at_the_tip() {
+    let mut joints: Vec<_> = tree().into_iter().take(5).collect();
+    let payload = "[0.8, 0.1, -0.2, 0.3, 0.02, 0.03, 0.025, 0.001, -0.002, 0.003]";
+    let gravity = "gravity = [0.4, -1.1, -9.7]";
+    let carrying = robot(&format!("{LAW}{gravity}\npayload = {payload}\n"), &joints);
+    joints.push(Joint {
+        kind: "fixed",
+        parent: 5,
+        origin: [0.0; 3],
+        angles: [0.0; 3],
+        axis: [1.0, 0.0, 0.0],
+        mass: 0.8,
+        centre: [0.1, -0.2, 0.3],
+        centre_angles: [0.0; 3],
+        inertia: [0.02, 0.03, 0.025, 0.001, -0.002, 0.003],
+    });
+    let mut state = 11;
+    let x: Vec<_> = (0..8).map(|_| draw(&mut state)).collect();
+    let (q, v) = x.split_at(4);
+    let a: Vec<_> = q.iter().zip(v).map(|(q, v)| wanted(0.5, *q, *v)).collect();
+    let [expected, ..] = lagrange(&joints, q, v, &a);
+    close(&torques(&carrying, 0.5, &x), &expected, 1e-13);
+    let command = carrying.command();
+    assert!(command.contains("--payload=0.8,0.1,-0.2,0.3,0.02,"), "{command}");
 }

@@ -183,7 +183,7 @@ fn each_mistake_beside_a_robot_has_one_message() {
         ("tip = \"link9\"", "arm.urdf: there is no link `link9`, which `tip` names"),
         ("gravity = 9.81", "gravity = 9.81"),
         ("reference = [\"0\", \"t\"]", "2 references for 6 outputs"),
-        ("limits = [1, 2]", "2 limits for 6 axes"),
+        ("limits = [1, 2]", "2 values of `limits` for 6 axes"),
     ] {
         let found = controller(more, &arm);
         assert!(found.len() == 1 && found[0].message == expected, "{more}: {found:?}");
