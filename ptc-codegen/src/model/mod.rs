@@ -7,6 +7,7 @@ mod determinant;
 mod lie;
 pub(crate) mod zeros;
 
+#[cfg(feature = "files")]
 pub(crate) use coupled::arm;
 pub use coupled::{Arm, Coupled, Inverse, Output};
 pub use lie::{Chain, Ill};

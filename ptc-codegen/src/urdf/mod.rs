@@ -4,11 +4,14 @@
 //! joint turns about or slides along the z axis of its body, and mass, first moment and second moments of a body are
 //! those about the origin of its frame.
 
-#[cfg(feature = "files")]
+// The macro reads no files, and leaves unused what only their reader needs.
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
 mod angle;
 #[cfg(feature = "files")]
 mod document;
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
 mod geometry;
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
 mod inertia;
 mod payload;
 mod source;
@@ -118,14 +121,12 @@ pub fn read(text: &str, ends: &Ends) -> Result<Robot, Wrong> {
 }
 
 /// A number rounded to a multiple of 2^-`bits`, so that products of many stay short.
-#[cfg(feature = "files")]
 fn rounded(value: &BigRational, bits: usize) -> BigRational {
     let scale = BigRational::from_integer(num_bigint::BigInt::from(1) << bits);
     (value * &scale).round() / scale
 }
 
 /// Bits behind the point of what is irrational: some thirty digits, twice those of a double.
-#[cfg(feature = "files")]
 const BITS: usize = 110;
 
 /// A name of a URDF file in characters that every comment can hold.

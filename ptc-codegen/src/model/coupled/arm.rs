@@ -15,6 +15,7 @@ pub struct Arm {
 }
 
 /// Names of the states, positions and then velocities, and of the inputs of a robot with `joints`.
+#[cfg(feature = "files")]
 pub(crate) fn names(joints: usize) -> Option<(Vec<Name>, Vec<Name>)> {
     let numbered = |stem: &str| -> Option<Vec<Name>> {
         (1..=joints).map(|j| Name::new(&format!("{stem}{j}"))).collect()
@@ -70,6 +71,7 @@ fn joint(j: usize, body: &Body) -> String {
     format!("q{j}, dq{j}, torque{j}: {kind} joint {} ({units})", plain(&body.joint))
 }
 
+#[cfg(feature = "files")]
 impl Coupled {
     /// The plant whose outputs are the positions of the joints of a robot.
     pub(crate) fn of_arm((states, inputs): (Vec<Name>, Vec<Name>), arm: Arm) -> Self {
