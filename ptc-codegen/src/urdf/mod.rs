@@ -62,6 +62,8 @@ pub struct Body {
     pub joint: String,
     /// Motion of the joint.
     pub motion: Motion,
+    /// Largest torque or force of the joint, if the file gives one.
+    pub effort: Option<BigRational>,
     /// The body that carries the joint; `None` for the base.
     pub parent: Option<usize>,
     /// Frame of the body in that of its parent, at position 0.

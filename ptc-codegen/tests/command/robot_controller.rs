@@ -160,7 +160,7 @@ fn what_a_controller_of_a_robot_lacks_is_refused_by_name() {
         "{told}"
     );
     assert!(
-        told.contains("friction, rotors, springs and limits of joints are not looked at"),
+        told.contains("friction, rotors, springs and limits of positions are not looked at"),
         "{told}"
     );
 }

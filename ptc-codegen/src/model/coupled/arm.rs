@@ -1,6 +1,7 @@
 //! A robot as a plant: its joints, moved by torques that inverse dynamics gives.
 
 use super::{Coupled, Inverse, Output};
+use crate::algebra::BigRational;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Name;
 use crate::urdf::{Body, Motion, Payload, Robot, Source, payload_text, plain};
@@ -24,6 +25,11 @@ pub(crate) fn names(joints: usize) -> Option<(Vec<Name>, Vec<Name>)> {
 }
 
 impl Arm {
+    /// The largest torque or force of each joint, where the file gives those of all.
+    pub(crate) fn efforts(&self) -> Option<Vec<BigRational>> {
+        self.robot.bodies.iter().map(|body| body.effort.clone()).collect()
+    }
+
     /// The same with another payload; `None` if nothing carries it.
     pub(crate) fn carrying(&self, payload: Payload) -> Option<Self> {
         let robot = self.robot.carrying(Some(&payload), self.source.payload.as_ref())?;

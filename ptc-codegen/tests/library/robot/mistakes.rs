@@ -203,3 +203,28 @@ fn a_file_that_has_not_been_read_is_refused() {
     let found = request::read(&crate::support::entries(text)).expect_err("no file");
     assert!(found.len() == 1 && found[0].message == "arm.urdf has not been read", "{found:?}");
 }
+
+/// A design without limits has those of the file, if it gives one for every joint.
+#[test]
+fn efforts_of_all_joints_are_limits() {
+    let text =
+        "mu = \"exp(a=1)\"\npoles = [-3, -4]\n[params]\ntau = 1\n[robot]\nurdf = \"arm.urdf\"\n";
+    let limits = |text: &str, efforts: &[&str]| {
+        let mut urdf = urdf(&tree()[..2]);
+        for (index, effort) in (1..).zip(efforts) {
+            let parent = format!("<parent link=\"link{}\"/>", index - 1);
+            urdf = urdf.replace(&parent, &format!("{parent}<limit effort=\"{effort}\"/>"));
+        }
+        let spec = request::read(&with_urdf(crate::support::entries(text), &urdf));
+        let spec = spec.expect("a controller");
+        let limits = spec.axes.expect("joints").limits;
+        limits.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(limits(text, &["87", "12.5"]), ["87", "12.5"]);
+    assert!(limits(text, &["87", "0"]).is_empty());
+    assert!(limits(text, &["87"]).is_empty());
+    let own = text.replace("[params]", "limits = [5, 6]\n[params]");
+    assert_eq!(limits(&own, &["87", "12.5"]), ["5", "6"]);
+    let own = text.replace("[params]", "[params]\nu_max = inf");
+    assert!(limits(&own, &["87", "12.5"]).is_empty());
+}

@@ -106,7 +106,7 @@ pub fn law(coupled: &Coupled) -> Vec<String> {
         }
         Inverse::Robot(_) => {
             lines.push("u by the recursive Newton-Euler algorithm: the torques with which the joints have the accelerations v.".to_owned());
-            lines.push("Rigid bodies: friction, springs, the inertia of rotors, and limits of joints are not modelled.".to_owned());
+            lines.push("Rigid bodies: friction, springs, the inertia of rotors, and limits of positions are not modelled.".to_owned());
         }
     }
     lines
