@@ -90,7 +90,7 @@ fn an_arm_has_the_torques_of_its_inertia_and_bias() {
         head.join("\n")
     );
     let of_robot = robot(&of_robot, &joints);
-    let of_model = text.replace("limits = [120, 60]", "limits = [inf, inf]");
+    let of_model = text.replace("limits = [120, 60]", "limits = [1e9, 1e9]");
     let of_model = spec(&of_model.replace("[params]", "[params]\nt0 = 0"));
     let mut state = 7;
     for t in [0.0, 5.0, 10.0, 18.0, 25.0] {
