@@ -161,10 +161,11 @@ pub use error::Error;
 /// | `keep_above` | lower bounds of x1, x2, ... that a filter keeps | a number or `-inf` for each, the last ones may be left out | `-inf` |
 /// | `keep_poles` | poles in 1/s with which the states approach these bounds | n numbers < 0 | |
 /// | `keep_tolerance` | distance beyond its bounds at which a state counts as within them | a number > 0 for each, the last ones may be left out | 2^-30 of the greater bound, in f32 2^-12 |
-/// | `urdf` | file of a robot; `ptc-codegen emit` writes its functions, and the macro refuses it | a path, relative to the design file | |
+/// | `urdf` | file of a robot, which is the plant; only the command reads it, and the macro refuses it | a path, relative to the design file | |
 /// | `base` | link of a robot that does not move | the name of a link | the root of the file |
 /// | `tip` | links at the ends of a robot | the name of a link, or a list | all that the base carries |
 /// | `gravity` | acceleration of gravity in the axes of a robot's base, m/s^2 | three numbers | `0,0,-9.81` |
+/// | `payload` | what the tip of a robot carries: mass, kg, and centre in the frame of the tip, m | 4 numbers, or 10 with its inertia about the centre, kg m^2 | none |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0; with several outputs in samples also a list for each | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
 /// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope`, `zeros` | none |

@@ -2,7 +2,8 @@
 
 For each robot of the package example-robot-data the emitted C is compiled and called at random positions,
 velocities and accelerations, and compared with Pinocchio's `rnea`, `crba` and `getFrameJacobian` of the same file.
-The error of a vector is its largest difference over the largest entry that Pinocchio finds.
+The controller of up to 8 joints is called at random times and states; its torques are compared with `rnea` at the
+accelerations of its law. The error of a vector is its largest difference over the largest entry that Pinocchio finds.
 
     pip install pin example-robot-data numpy
     python3 tools/robots.py --command target/release/ptc-codegen
@@ -22,6 +23,8 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 
+# Joints of a controller.
+MOST = 8
 # Name, file, base, tip.
 ROBOTS = [
     ("panda", "panda_description/urdf/panda.urdf", None, "panda_hand_tcp"),
@@ -48,18 +51,47 @@ def full_digits(match):
     return f'rpy="{" ".join(one(text) for text in match.group(1).split())}"'
 
 
+# The law of each joint, at rest at 1 s, and its acceleration. Its gains are (k1, k2) = (12, 7).
+LAW = ["--mu", "exp(a=1)", "--poles=-3,-4", "--tau", "1", "--t0", "0", "--eps", "0.001", "--u-max", "inf"]
+
+
+def wanted(t, q, v):
+    return -(12 * q / (1 - t) + 6 * v) / (1 - t)
+
+
+def compiled(command, name, robot, flags, folder):
+    """The C that flags give for a robot (path, base, tip), as a library."""
+    path, base, tip = robot
+    words = [command, "emit", "--lang", "c", "--urdf", str(path), *flags]
+    words += ["--base", base] if base else []
+    words += ["--tip", tip] if tip else []
+    subprocess.run([*words, "--name", name, "-o", str(folder)], check=True, stdout=subprocess.DEVNULL)
+    library = folder / f"{name}.so"
+    strict = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter", "-shared", "-fPIC"]
+    subprocess.run(["cc", *strict, str(folder / f"{name}.c"), "-o", str(library), "-lm"], check=True)
+    return ctypes.CDLL(str(library))
+
+
+class Law:
+    """The controller of a robot, compiled."""
+
+    def __init__(self, command, robot, folder):
+        self.library = compiled(command, "law", robot, LAW, folder)
+        self.law = ctypes.create_string_buffer(256)
+        assert self.library.law_init(self.law, ctypes.create_string_buffer(64)) == 0
+        self.library.law_step.argtypes = [ctypes.c_void_p, ctypes.c_double, *[ctypes.c_void_p] * 3]
+
+    def torques(self, t, q, v):
+        x, u, axes = np.concatenate([q, v]), np.zeros(len(q)), ctypes.create_string_buffer(4 * len(q))
+        assert self.library.law_step(self.law, t, x.ctypes.data, u.ctypes.data, axes) == 0
+        return u
+
+
 class Emitted:
     """The functions of a robot, compiled."""
 
     def __init__(self, command, path, base, tip, what, folder):
-        words = [command, "emit", "--lang", "c", "--urdf", str(path), "--what", ",".join(what)]
-        words += ["--base", base] if base else []
-        words += ["--tip", tip] if tip else []
-        subprocess.run([*words, "--name", "arm", "-o", str(folder)], check=True, stdout=subprocess.DEVNULL)
-        library = folder / "arm.so"
-        flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter", "-shared", "-fPIC"]
-        subprocess.run(["cc", *flags, str(folder / "arm.c"), "-o", str(library), "-lm"], check=True)
-        self.library = ctypes.CDLL(str(library))
+        self.library = compiled(command, "arm", (path, base, tip), ["--what", ",".join(what)], folder)
         self.arm = ctypes.create_string_buffer(64)
         assert self.library.arm_init(self.arm, ctypes.create_string_buffer(64)) == 0
         head = (folder / "arm.h").read_text()
@@ -104,6 +136,9 @@ def compare(command, robot, states, seed):
         if one_tip:
             worst["jacobian"] = 0.0
             frame = model.getFrameId(tip)
+        law = Law(command, (path, base, tip), folder) if n <= MOST else None
+        if law:
+            worst["controller"] = 0.0
         draw = np.random.default_rng(seed)
 
         def error(kind, own, other):
@@ -120,6 +155,10 @@ def compare(command, robot, states, seed):
                 rate[place.idx_v], acceleration[place.idx_v] = v[index], a[index]
             error("inverse dynamics", emitted.call("inverse_dynamics", n, q, v, a),
                   pin.rnea(model, data, full, rate, acceleration)[order])
+            if law:
+                t = draw.uniform(0, 0.95)
+                acceleration[order] = wanted(t, q, v)
+                error("controller", law.torques(t, q, v), pin.rnea(model, data, full, rate, acceleration)[order])
             mass = pin.crba(model, data, full)
             mass = np.triu(mass) + np.triu(mass, 1).T
             error("mass matrix", emitted.call("mass_matrix", n * n, q).reshape(n, n), mass[np.ix_(order, order)])
@@ -138,12 +177,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--most", type=float, default=1e-12, help="largest relative error")
     given = parser.parse_args()
-    print("| robot | joints | inverse dynamics | mass matrix | Jacobian |\n| --- | --- | --- | --- | --- |")
+    kinds = ("inverse dynamics", "mass matrix", "jacobian", "controller")
+    print(f"| robot | joints | {' | '.join(kinds)} |\n|{' --- |' * 6}")
     failed = False
     for robot in ROBOTS:
         joints, worst = compare(given.command, robot, given.states, given.seed)
         failed |= max(worst.values()) > given.most
-        shown = [f"{worst[kind]:.1e}" if kind in worst else "" for kind in ("inverse dynamics", "mass matrix", "jacobian")]
+        shown = [f"{worst[kind]:.1e}" if kind in worst else "" for kind in kinds]
         print(f"| {robot[0]} | {joints} | {' | '.join(shown)} |", flush=True)
     sys.exit("an error is larger than allowed" if failed else 0)
 

@@ -1,4 +1,5 @@
-"""Counts the instructions of one call of inverse dynamics: the emitted C, Pinocchio's `rnea`, and CasADi's C.
+"""Counts the instructions of one call of inverse dynamics: the emitted C, Pinocchio's `rnea`, and CasADi's C; and those
+of a step of the emitted controller, which has the law of each joint and its inverse dynamics.
 
 All are compiled with -O2 for the same processor and called at the same states under callgrind, sine and cosine
 included. CasADi is given the textbook algorithm on spatial vectors, with the numbers of the robot known.
@@ -80,6 +81,17 @@ def emitted(command, path, base, tip, folder, guard):
         "BEFORE": f"arm_{guard} arm; arm_{guard}_params none; arm_{guard}_init(&arm, &none);",
         "CALL": f"arm_{guard}_inverse_dynamics(&arm, q, v, a, torque);",
         "sources": [str(folder / f"arm_{guard}.c"), f"-I{folder}"],
+    }
+
+
+def controller(command, robot, folder):
+    """A step of the controller at t = 0.5 s, with limits of u that no torque reaches."""
+    robots.compiled(command, "law", robot, [*robots.LAW[:-1], "1e9"], folder)
+    return {
+        "HEAD": '#include "law.h"',
+        "BEFORE": "law arm; law_params none; ptc_status axes[N]; double x[2 * N]; (void)a; law_init(&arm, &none);",
+        "CALL": "for (int i = 0; i < N; i++) { x[i] = q[i]; x[N + i] = v[i]; } law_step(&arm, 0.5, x, torque, axes);",
+        "sources": [str(folder / "law.c"), f"-I{folder}"],
     }
 
 
@@ -232,7 +244,7 @@ def main():
 
 
 def compare(command, compiled):
-    print("| robot | joints | emitted C | without guards | Pinocchio | CasADi |\n| --- | --- | --- | --- | --- | --- |")
+    print(f"| robot | joints | emitted C | without guards | controller | Pinocchio | CasADi |\n|{' --- |' * 7}")
     for name, file, base, tip in robots.ROBOTS:
         if name not in NAMES:
             continue
@@ -255,7 +267,10 @@ def compare(command, compiled):
             # The driver's own part is the same in all.
             empty = {"HEAD": "", "BEFORE": "", "CALL": "for (int i = 0; i < N; i++) { torque[i] = a[i]; }", "N": n}
             driver, _ = instructions(build(folder, "driver", ["gcc"], empty, []))
-            print(f"| {name} | {n} | {' | '.join(f'{count - driver:.0f}' for count, _ in found)} |", flush=True)
+            law = build(folder, "step", ["gcc"], {**controller(command, (path, base, tip), folder), "N": n}, ["-lm"])
+            counts = [count for count, _ in found]
+            counts.insert(2, instructions(law)[0])
+            print(f"| {name} | {n} | {' | '.join(f'{count - driver:.0f}' for count in counts)} |", flush=True)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 80] = [
+pub static KEYS: [KeyInfo; 81] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -464,8 +464,8 @@ pub static KEYS: [KeyInfo; 80] = [
     },
     KeyInfo {
         key: "urdf",
-        meaning: "URDF file of a robot, of which emit generates functions; its path is relative to the design file",
-        legal: "a path, with what = inverse-dynamics, mass-matrix or jacobian",
+        meaning: "URDF file of a robot, which is the plant; its path is relative to the design file",
+        legal: "a path; with what = inverse-dynamics, mass-matrix or jacobian emit generates functions of the robot",
         example: "arm.urdf",
     },
     KeyInfo {
@@ -485,6 +485,12 @@ pub static KEYS: [KeyInfo; 80] = [
         meaning: "acceleration of gravity in the axes of a robot's base, m/s^2; with urdf",
         legal: "three numbers; 0, 0, -9.81 if not given",
         example: "0,0,-9.81",
+    },
+    KeyInfo {
+        key: "payload",
+        meaning: "what the tip of a robot carries: mass, kg, and centre in the frame of the tip, m; with urdf",
+        legal: "4 numbers, or 10 with its inertia about the centre, ixx, iyy, izz, ixy, ixz, iyz, kg m^2; none if not given",
+        example: "0.5,0,0,0.1",
     },
     KeyInfo {
         key: "x0_max",
@@ -507,9 +513,9 @@ pub static KEYS: [KeyInfo; 80] = [
 ];
 
 /// Keys whose names parameters may have too: the keys of a model, and the capitals that plants are full of.
-pub const PARAMETERS_TOO: [&str; 12] = [
+pub const PARAMETERS_TOO: [&str; 13] = [
     "inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C", "urdf", "base", "tip",
-    "gravity",
+    "gravity", "payload",
 ];
 
 /// The functions of a robot: further values of `what`.
@@ -528,7 +534,7 @@ impl KeyInfo {
             "A" | "B" | "C" => Some("plant"),
             "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia"
             | "bias" | "let" => Some("model"),
-            "urdf" | "base" | "tip" | "gravity" => Some("robot"),
+            "urdf" | "base" | "tip" | "gravity" | "payload" => Some("robot"),
             _ => None,
         }
     }
@@ -536,6 +542,11 @@ impl KeyInfo {
     /// Returns true if the value of a key is a text that is taken as it stands, such as a path.
     pub fn is_text(key: &str) -> bool {
         matches!(key.strip_prefix("robot.").unwrap_or(key), "urdf" | "base" | "tip")
+    }
+
+    /// Returns true if the value of a key is the path of a file that the design consists of.
+    pub fn is_file(key: &str) -> bool {
+        key == "urdf"
     }
 
     /// Whether it is on or off: a boolean of TOML, and a flag that needs no value.

@@ -38,6 +38,8 @@ pub mod design;
 #[doc(hidden)]
 pub mod diagnostic;
 #[doc(hidden)]
+pub mod dynamics;
+#[doc(hidden)]
 pub mod emit;
 #[doc(hidden)]
 pub mod expansion;
@@ -91,7 +93,6 @@ pub mod syntax;
 #[cfg(feature = "lab")]
 #[doc(hidden)]
 pub mod synthesis;
-#[cfg(feature = "files")]
 #[doc(hidden)]
 pub mod urdf;
 #[cfg(feature = "lab")]

@@ -14,6 +14,9 @@ use crate::request::{Reference, Spec};
 /// Name of the check.
 pub(crate) const NAME: &str = "zeros";
 
+/// What is said of a robot.
+const OF_ROBOT: &str = "the plant is taken to be the rigid bodies of the URDF: friction, rotors, springs and limits of positions are not looked at";
+
 /// The values of the parameters that are fixed.
 fn values(spec: &Spec) -> Values {
     let number = |value: &Fixed| value.number().cloned();
@@ -42,7 +45,10 @@ pub(crate) fn of_coupled(spec: &Spec, coupled: &Coupled) -> Outcome {
         singular: "take outputs that the inputs move one by one at rest",
     };
     let Some(plant) = Plant::of_coupled(coupled, &values) else {
-        return words.outcome(spec, &[AtRest { place: String::new(), zeros: Zeros::None }]);
+        let mut outcome =
+            words.outcome(spec, &[AtRest { place: String::new(), zeros: Zeros::None }]);
+        outcome.details.extend(spec.arm().map(|_| OF_ROBOT.to_owned()));
+        return outcome;
     };
     // An inertia matrix is regular.
     let is_inertia = matches!(coupled.inverse, Inverse::Inertia { .. });

@@ -121,10 +121,15 @@ impl Source {
     }
 
     /// The folder to which the path that is the value of `key` is relative: that of the design file, if the key is in it.
-    pub(crate) fn folder_of(&self, key: &str) -> PathBuf {
+    fn folder_of(&self, key: &str) -> PathBuf {
         let in_file = self.given.iter().all(|flag| flag.key != key);
         let folder = self.file.as_ref().filter(|_| in_file).and_then(|(path, _)| path.parent());
         folder.map(Path::to_owned).unwrap_or_default()
+    }
+
+    /// The place of the file that an entry names.
+    pub(crate) fn file_of(&self, entry: &Entry) -> PathBuf {
+        self.folder_of(&entry.key).join(entry.value.value.to_string())
     }
 
     /// The text of the design file, if there is one.
@@ -240,6 +245,7 @@ impl Source {
                 }
             }
         }
+        design::with_files(&mut parsed.entries, &|entry| self.file_of(entry));
         parsed
     }
 }

@@ -2,11 +2,15 @@
 
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::UNREADABLE;
 use crate::diagnostic::Diagnostic;
-use crate::limits::DESIGN;
+use crate::keys::KeyInfo;
+use crate::limits::{DESIGN, URDF};
+use crate::request::Entry;
+use crate::syntax::Value;
 
 /// The text of the file at `path`.
 ///
@@ -53,4 +57,24 @@ pub fn load(path: &Path) -> Result<String, Diagnostic> {
             })
         }
     }
+}
+
+/// Reads the files that entries name: their texts are values from here on. `path` is the place of the file of an entry.
+pub fn with_files(entries: &mut [Entry], path: &dyn Fn(&Entry) -> PathBuf) {
+    for entry in entries.iter_mut().filter(|entry| KeyInfo::is_file(&entry.key)) {
+        let file = path(entry);
+        let text = text_of(&file).map(Arc::from);
+        let text = text.map_err(|error| format!("cannot read {}: {error}", file.display()));
+        entry.value.value = Value::File(entry.value.value.to_string(), text);
+    }
+}
+
+fn text_of(path: &Path) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(URDF.most + 1).read_to_end(&mut bytes)?;
+    if !URDF.admits(bytes.len()) {
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, URDF.beyond("it")));
+    }
+    String::from_utf8(bytes)
+        .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()))
 }

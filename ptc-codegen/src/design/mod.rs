@@ -24,7 +24,7 @@ mod template;
 mod value;
 
 pub use completed::{Line, completed};
-pub use file::load;
+pub use file::{load, with_files};
 pub use mistakes::{independent, mistakes, root};
 pub use over::overrides;
 pub use quote::Quote;

@@ -117,7 +117,7 @@ impl Resolver<'_, '_> {
                 "a table in an expression".to_owned(),
                 "braces are for `dynamics` and `let`; () group operations",
             ),
-            Value::Word(name) => self.name(name, node.place),
+            Value::Word(name) | Value::File(name, _) => self.name(name, node.place),
             Value::Call(name, arguments) => self.call(name, arguments, node.place),
             Value::Negative(a) => Some(self.node(a)?.neg()),
             Value::Binary(operator, a, b) => {

@@ -72,7 +72,7 @@ pub static GROUPS: [Group; 7] = [
             "coast",
         ],
     },
-    Group { title: "Robot", common: &["urdf"], rare: &["base", "tip", "gravity"] },
+    Group { title: "Robot", common: &["urdf"], rare: &["base", "tip", "gravity", "payload"] },
     Group {
         title: "Checks",
         common: &["x0_max", "error", "allow"],

@@ -25,7 +25,7 @@ pub static TABLES: [TableInfo; 9] = [
     TableInfo { open: true, ..TableInfo::once("params", "values of parameters, by their names") },
     TableInfo::once("envelope", "what the inputs of the controller are within"),
     TableInfo::once("model", "a model of the plant, from which n, f and g follow"),
-    TableInfo::once("robot", "a robot, of which emit generates functions"),
+    TableInfo::once("robot", "a robot from its URDF: the plant, or functions of it"),
     TableInfo {
         own: &PLANT_KEYS,
         open: true,

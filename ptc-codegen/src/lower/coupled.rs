@@ -5,10 +5,12 @@ mod cofactors;
 use super::builder::Builder;
 use super::plant::control;
 use super::{rows, state};
-use crate::expression::Expression;
+use crate::dynamics::{Arithmetic, inverse_dynamics};
+use crate::expression::{Expression, Variable};
 use crate::law::Law;
+use crate::model::Arm;
 use crate::model::coupled::{Coupled, Inverse};
-use crate::program::{Op, Value};
+use crate::program::{Input, Op, Value};
 use crate::request::{Feedback, Spec};
 
 /// The first input, the others, and the determinant that they are divided by, if there is one. `law` is that of the first output.
@@ -85,9 +87,27 @@ pub(super) fn inputs(
             };
             (inertia.iter().zip(bias).map(force).collect(), None)
         }
+        (Inverse::Robot(arm), _) => (torques(b, arm, &wanted), None),
     };
     let first = controls.remove(0);
     (first, controls, divisor)
+}
+
+/// The torques that give the joints of a robot wanted accelerations: its inverse dynamics, operation by operation.
+fn torques(b: &mut Builder<'_>, arm: &Arm, wanted: &[Value]) -> Vec<Value> {
+    let arithmetic = Arithmetic { precision: b.spec.precision, fma: b.spec.fma };
+    let program = inverse_dynamics(&arm.robot, &arm.source.gravity, arithmetic);
+    let states = 2 * wanted.len();
+    let mut values: Vec<Value> = Vec::with_capacity(program.values.len());
+    for definition in &program.values {
+        let value = match &definition.op {
+            Op::Input(Input::State(j)) if *j > states => wanted[j - states - 1],
+            Op::Input(Input::State(j)) => b.scalar(&Variable::State(*j).into()),
+            op => b.push(op.map(|operand| values[operand.0])),
+        };
+        values.push(value);
+    }
+    program.watched.iter().map(|torque| values[torque.0]).collect()
 }
 
 /// The solution of the equations of more outputs than have a closed form, and their determinant.

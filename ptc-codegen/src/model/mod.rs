@@ -8,7 +8,9 @@ mod intermediate;
 mod lie;
 pub(crate) mod zeros;
 
-pub use coupled::{Coupled, Inverse, Output};
+#[cfg(feature = "files")]
+pub(crate) use coupled::arm;
+pub use coupled::{Arm, Coupled, Inverse, Output};
 pub use intermediate::Intermediates;
 pub use lie::{Chain, Ill};
 pub(crate) use lie::{at_rest, gains};

@@ -12,7 +12,8 @@
 //! gain, and what f is beside the controller's own is not cancelled. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
 //!
 //! With a model the plant is the model, of which `[plant]` may give other rates under `dynamics`, and
-//! other numbers for its parameters; of a mechanical one another `inertia` and `bias`.
+//! other numbers for its parameters; of a mechanical one another `inertia` and `bias`. A robot may carry another
+//! `payload`.
 //!
 //! A plant with other states than the law names them under `states`, with their rates and the outputs that the law is
 //! given, or is the chain with one `resonance`.
@@ -39,7 +40,7 @@ use crate::collect::{listed, set};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{Expression, Variable};
 use crate::linear::Side;
-use crate::model::Inverse;
+use crate::model::{Arm, Inverse};
 use crate::parameter::{Fixed, Name, Parameter};
 use crate::request::{self, Entry, LargerPlant, Spec};
 
@@ -120,7 +121,16 @@ pub struct Plant {
 
 /// M q'' + bias = u.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mechanics {
+pub enum Mechanics {
+    /// By expressions.
+    Equations(Equations),
+    /// Of a robot.
+    Robot(Box<Arm>),
+}
+
+/// The equations of motion as expressions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Equations {
     /// M.
     pub inertia: Vec<Vec<Expression>>,
     /// Inputs that hold q'' = 0.
@@ -128,6 +138,16 @@ pub struct Mechanics {
 }
 
 impl Mechanics {
+    /// The equations, where they are expressions.
+    pub fn equations(&self) -> Option<&Equations> {
+        match self {
+            Self::Equations(equations) => Some(equations),
+            Self::Robot(_) => None,
+        }
+    }
+}
+
+impl Equations {
     /// M, row by row, and the bias.
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         listed(self.inertia.iter().flatten().chain(&self.bias))
@@ -164,8 +184,9 @@ impl Plant {
                 }
                 Inverse::Inertia { inertia, bias } => {
                     let (inertia, bias) = (inertia.clone(), bias.clone());
-                    (Vec::new(), Some(Mechanics { inertia, bias }))
+                    (Vec::new(), Some(Mechanics::Equations(Equations { inertia, bias })))
                 }
+                Inverse::Robot(arm) => (Vec::new(), Some(Mechanics::Robot(arm.clone()))),
             };
             return Self { dynamics: own.0, mechanics: own.1, ..Self::default() };
         }
@@ -196,8 +217,9 @@ impl Plant {
         let of_chain = std::iter::once(("plant.f", &self.f));
         let of_chain = of_chain.chain(self.g.iter().map(|g| ("plant.g", g)));
         let dynamics = self.dynamics.iter().map(|rate| ("plant.dynamics", rate));
-        let inertia = self.mechanics.iter().flat_map(|own| own.inertia.iter().flatten());
-        let bias = self.mechanics.iter().flat_map(|own| &own.bias);
+        let equations = self.mechanics.as_ref().and_then(Mechanics::equations);
+        let inertia = equations.into_iter().flat_map(|own| own.inertia.iter().flatten());
+        let bias = equations.into_iter().flat_map(|own| &own.bias);
         let mechanics =
             inertia.map(|e| ("plant.inertia", e)).chain(bias.map(|e| ("plant.bias", e)));
         let larger = self.larger.iter().flat_map(|larger| &larger.outputs);
@@ -214,9 +236,12 @@ impl Plant {
             f: all(&self.f),
             g: self.g.as_ref().map(all),
             dynamics: each(&self.dynamics),
-            mechanics: self.mechanics.as_ref().map(|mechanics| Mechanics {
-                inertia: mechanics.inertia.iter().map(each).collect(),
-                bias: each(&mechanics.bias),
+            mechanics: self.mechanics.as_ref().map(|mechanics| match mechanics {
+                Mechanics::Equations(Equations { inertia, bias }) => {
+                    let inertia = inertia.iter().map(each).collect();
+                    Mechanics::Equations(Equations { inertia, bias: each(bias) })
+                }
+                Mechanics::Robot(arm) => Mechanics::Robot(arm.clone()),
             }),
             larger: self.larger.as_ref().map(|larger| LargerPlant {
                 outputs: each(&larger.outputs),
@@ -258,7 +283,8 @@ impl Plant {
         if let Some(coupled) = &spec.coupled {
             return match &self.mechanics {
                 None => coupled.rates(&self.dynamics),
-                Some(Mechanics { inertia, bias }) => coupled.motion(inertia, bias),
+                Some(Mechanics::Equations(own)) => coupled.motion(&own.inertia, &own.bias),
+                Some(Mechanics::Robot(arm)) => arm.lines(),
             };
         }
         let g = self.g.iter().map(|g| format!("g = {g}"));

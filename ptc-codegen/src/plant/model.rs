@@ -10,22 +10,32 @@
 //! Of a mechanical model it is `inertia` and `bias` that may differ.
 
 use super::read::{Given, value};
-use super::{Mechanics, Plant, TABLE};
+use super::{Equations, Mechanics, Plant, TABLE};
 use crate::diagnostic::{Diagnostics, counted, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
-use crate::model::Intermediates;
+use crate::model::{Arm, Intermediates};
 use crate::parameter::{Name, Parameter};
-use crate::request::{Spec, items, known};
+use crate::request::{NO_TIP, Spec, items, known, payload_of};
 use crate::syntax::{Argument, Node, Value};
 
 /// The keys of what differs from the model: its rates, or the equations of a mechanical one.
 const DYNAMICS: [&str; 1] = ["dynamics"];
 const MECHANICS: [&str; 2] = ["inertia", "bias"];
 
+/// What may differ of a robot.
+const PAYLOAD: &str = "payload";
+
 /// The plant of the controller of `spec`, with all mistakes.
 pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> Plant {
     let mut plant = Plant::own(spec);
-    let keys: &[&str] = if plant.mechanics.is_some() { &MECHANICS } else { &DYNAMICS };
+    let keys: &[&str] = match &plant.mechanics {
+        None => &DYNAMICS,
+        Some(Mechanics::Equations(_)) => &MECHANICS,
+        Some(Mechanics::Robot(arm)) => {
+            plant.mechanics = Some(Mechanics::Robot(Box::new(robot(arm, given, found))));
+            return plant;
+        }
+    };
     if let (Some((place, _)), true) = (given.get(DYNAMICS[0]), plant.mechanics.is_some()) {
         let message =
             "`dynamics` of a mechanical plant, whose rates follow from `inertia` and `bias`";
@@ -34,8 +44,8 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
         return plant;
     }
     let whole = match &mut plant.mechanics {
-        Some(mechanics) => equations(mechanics, given, spec, found),
-        None => given
+        Some(Mechanics::Equations(own)) => equations(own, given, spec, found),
+        _ => given
             .get(DYNAMICS[0])
             .is_none_or(|(_, node)| rates(&mut plant.dynamics, node, spec, found)),
     };
@@ -66,6 +76,25 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
         }
     }
     plant
+}
+
+/// The robot of the plant, which may carry another payload than the law knows.
+fn robot(arm: &Arm, given: &Given<'_>, found: &mut Diagnostics) -> Arm {
+    let mut robot = arm.clone();
+    for (name, (place, node)) in given {
+        let key = format!("{TABLE}.{name}");
+        if *name != PAYLOAD {
+            let message = format!("`{name}` under [plant] of a robot");
+            let help = "leave it out: the plant is the robot of the URDF, which may carry another `payload`";
+            found.push("conflict", key, Some(*place), message, help);
+        } else if let Some(payload) = payload_of(node, &key, found) {
+            match arm.carrying(payload) {
+                Some(carrying) => robot = carrying,
+                None => found.push("bad-value", key, Some(*place), NO_TIP.0, NO_TIP.1),
+            }
+        }
+    }
+    robot
 }
 
 /// Describes the legal entries of `[plant]` besides a model, for a name that is not one.
@@ -114,7 +143,7 @@ fn names(spec: &Spec) -> (&[Name], &[Name], &Intermediates) {
 
 /// Puts the given equations in place of those of the model; whether all could be read.
 fn equations(
-    mechanics: &mut Mechanics,
+    mechanics: &mut Equations,
     given: &Given<'_>,
     spec: &Spec,
     found: &mut Diagnostics,

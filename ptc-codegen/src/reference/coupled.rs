@@ -8,6 +8,7 @@ use super::long::{Arithmetic, below, double};
 use super::mapping::Point;
 use super::{Call, value_of};
 use crate::expression::{Expression, Variable};
+use crate::internal::fault;
 use crate::model::{Coupled, Inverse};
 use crate::parameter::Parameter;
 use crate::request::Spec;
@@ -98,6 +99,7 @@ impl Arithmetic {
                 let matrix: Vec<_> = matrix.iter().map(&mut row).collect();
                 self.solved(&matrix, wanted)
             }
+            Inverse::Robot(_) => fault("a self-test of a robot"),
             Inverse::Inertia { inertia, bias } => {
                 let rows: Vec<_> = inertia.iter().map(|row| product(row)).collect();
                 let rows = rows.iter().zip(bias);

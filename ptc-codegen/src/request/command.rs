@@ -258,6 +258,9 @@ fn definition_words(values: Vec<(Name, Expression)>) -> Option<String> {
 
 /// The flags of a plant with several inputs.
 fn coupled_words(coupled: &Coupled) -> Vec<String> {
+    if let Inverse::Robot(arm) = &coupled.inverse {
+        return arm.source.words();
+    }
     let texts = |all: &[Expression]| {
         let all: Vec<_> = all.iter().map(|e| coupled.text(e)).collect();
         all.join(", ")
@@ -280,6 +283,7 @@ fn coupled_words(coupled: &Coupled) -> Vec<String> {
             words.push(format!("--inertia=\"[{}]\"", rows.join(", ")));
             words.push(format!("--bias=\"{}\"", texts(bias)));
         }
+        Inverse::Robot(_) => {}
     }
     words
 }

@@ -1,8 +1,10 @@
 //! The fingerprint of a design: a short name of everything that determines its emitted program.
 
 use std::collections::BTreeMap;
+use std::iter;
 
 use super::{Clock, Promises, Spec};
+use crate::model::Arm;
 
 /// Hexadecimal digits of a fingerprint.
 const DIGITS: usize = 12;
@@ -19,7 +21,8 @@ impl Spec {
         let spec = self.clone().apart();
         let promises = spec.determining();
         let command = Self { promises, written: BTreeMap::new(), ..spec }.command();
-        let hash = hash([command.as_str()]);
+        let robot = self.arm().map(Arm::identity);
+        let hash = hash(iter::once(command.as_str()).chain(robot.as_deref()));
         let digits = format!("{:032x}", hash ^ (hash >> 64));
         digits[digits.len() - DIGITS..].to_owned()
     }

@@ -44,6 +44,9 @@ pub use read::read_run;
 #[cfg(feature = "files")]
 pub(crate) use read::values::{LONGEST_NAME, chosen, hyphenated, named};
 pub use read::{Entry, read};
+pub(crate) use read::{NO_TIP, payload_of};
+#[cfg(feature = "files")]
+pub(crate) use read::{asks_for_functions, robot_of, robot_source};
 pub(crate) use read::{items, known, meant, state_name};
 pub use reference::Reference;
 pub use sampled::{DelayLaw, Exact, Exponents, Sampled};

@@ -3,8 +3,17 @@
 use super::{Spec, What};
 use crate::collect::listed;
 use crate::expression::{Expression, Variable};
+use crate::model::{Arm, Inverse};
 
 impl Spec {
+    /// The robot that is the plant.
+    pub fn arm(&self) -> Option<&Arm> {
+        match &self.coupled.as_ref()?.inverse {
+            Inverse::Robot(arm) => Some(arm),
+            _ => None,
+        }
+    }
+
     /// The length of the state that a call is given: that of the plant, or of the infinite-time system.
     pub fn states(&self) -> usize {
         if let Some(larger) = &self.larger {

@@ -4,42 +4,31 @@
 //! [`Code`](crate::code::Code) that every back end prints. [`read()`] gives what a design asks for, [`code`] makes the functions.
 
 mod functions;
-mod inverse_dynamics;
-mod jacobian;
-mod mass_matrix;
-mod model;
 mod quantity;
 mod read;
 mod request;
-mod tape;
-mod vector;
-mod wrench;
 
 pub use functions::code;
 pub use quantity::Quantity;
-pub(crate) use quantity::plain;
-pub use read::{is_described, read};
+pub use read::read;
 pub use request::Request;
 
+use crate::dynamics::{self, Arithmetic};
 use crate::internal::fault;
 use crate::program::Program;
 use crate::urdf::Robot;
-use model::{Joints, Model};
-use tape::Tape;
 
 /// The staged program of a quantity, whose inputs are the positions x1, ..., xn, then velocities and accelerations.
 pub fn staged(request: &Request, robot: &Robot, quantity: Quantity) -> Program {
-    let mut tape = Tape::new(request.precision, request.fma);
-    let joints = Joints::of(&mut tape, &robot.bodies);
-    let results = match quantity {
+    let arithmetic = Arithmetic { precision: request.precision, fma: request.fma };
+    match quantity {
         Quantity::InverseDynamics => {
-            inverse_dynamics::forces(&mut tape, &Model::of(robot), &joints, &request.gravity)
+            dynamics::inverse_dynamics(robot, &request.source.gravity, arithmetic)
         }
-        Quantity::MassMatrix => mass_matrix::entries(&mut tape, &Model::of(robot), &joints),
+        Quantity::MassMatrix => dynamics::mass_matrix(robot, arithmetic),
         Quantity::Jacobian => {
             let Some(tip) = &robot.tip else { fault("a Jacobian without a tip") };
-            jacobian::entries(&mut tape, &robot.bodies, tip, &joints)
+            dynamics::jacobian(robot, tip, arithmetic)
         }
-    };
-    tape.finish(&results)
+    }
 }

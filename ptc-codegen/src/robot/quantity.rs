@@ -1,7 +1,7 @@
 //! What the functions of a robot compute.
 
 use crate::keys::ROBOT_FUNCTIONS;
-use crate::urdf::Robot;
+use crate::urdf::{Robot, plain};
 
 /// What a function of a robot computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,10 +81,4 @@ impl Quantity {
             }
         }
     }
-}
-
-/// A name of a URDF file in characters that every comment can hold.
-pub(crate) fn plain(name: &str) -> String {
-    let legal = |c: char| c.is_ascii_alphanumeric() || "_-.+: ".contains(c);
-    name.chars().map(|c| if legal(c) { c } else { '_' }).collect()
 }

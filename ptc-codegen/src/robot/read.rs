@@ -1,24 +1,16 @@
 //! The reader of what a design asks for of a robot.
 
-use num_traits::Zero;
-
 use super::{Quantity, Request};
-use crate::algebra::BigRational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
 use crate::keys::ROBOT_FUNCTIONS;
-use crate::parameter::{Fixed, Precision};
-use crate::request::{Entry, Guard, chosen, hyphenated, named};
-use crate::syntax::{Node, Value, number};
-use crate::urdf::Ends;
+use crate::parameter::Precision;
+use crate::request::{Entry, Guard, chosen, hyphenated, named, robot_source};
+use crate::syntax::Value;
+use crate::urdf::Source;
 
 /// The keys that a robot takes.
-const KEYS: [&str; 9] =
-    ["name", "what", "precision", "guard", "fma", "urdf", "base", "tip", "gravity"];
-
-/// Returns true if entries describe a robot.
-pub fn is_described(entries: &[Entry]) -> bool {
-    entries.iter().any(|entry| entry.key == "urdf")
-}
+const KEYS: [&str; 10] =
+    ["name", "what", "precision", "guard", "fma", "urdf", "base", "tip", "gravity", "payload"];
 
 /// Reads what entries ask for of a robot.
 ///
@@ -38,32 +30,28 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     fn request(&mut self) -> Option<Request> {
         self.only_own_keys();
-        let urdf = self.entry("urdf")?;
-        let path = urdf.value.value.to_string();
-        if path.is_empty() {
-            self.wrong("urdf", urdf.value.place, "urdf is empty", "give the path of a URDF file");
-        }
         let quantities = self.quantities();
-        let gravity = self.gravity();
-        let base = self.entry("base").map(|entry| entry.value.value.to_string());
-        let tips = self.entry("tip").map(|entry| names(&entry.value)).unwrap_or_default();
-        let ends = Ends { base, tips };
+        let source = self.source();
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
         let guard = [("full", Guard::Full), ("result", Guard::Result), ("none", Guard::None)];
         let guard = self.choice("guard", &guard);
         let fma = self.choice("fma", &[("true", true), ("false", false)]);
         Some(Request {
-            urdf: path,
-            place: urdf.value.place,
-            ends,
-            gravity: gravity?,
+            source: source?,
+            file: self.entry("urdf")?.value.clone(),
             quantities: quantities?,
             precision: precision.unwrap_or(Precision::F64),
             guard: guard.unwrap_or(Guard::Full),
             fma: fma.unwrap_or(false),
             name: self.name(),
         })
+    }
+
+    fn source(&mut self) -> Option<Source> {
+        let entries = self.entries;
+        let value = |key: &str| entries.iter().find(|own| own.key == key).map(|own| &own.value);
+        robot_source(&value, &mut self.found)
     }
 
     fn entry(&self, key: &str) -> Option<&'a Entry> {
@@ -105,9 +93,12 @@ impl<'a> Reader<'a> {
     }
 
     fn quantities(&mut self) -> Option<Vec<Quantity>> {
-        let legal = format!("give one or several of {}", ROBOT_FUNCTIONS.join(", "));
+        let legal = format!(
+            "give one or several of {}, or leave `what` out for a controller",
+            ROBOT_FUNCTIONS.join(", ")
+        );
         let Some(entry) = self.entry("what") else {
-            let message = "`what` is missing: a robot has no controller yet";
+            let message = "`what` names no function of a robot";
             self.found.push("missing-key", "what", None, message, legal);
             return None;
         };
@@ -133,25 +124,6 @@ impl<'a> Reader<'a> {
         (!all.is_empty()).then_some(all)
     }
 
-    fn gravity(&mut self) -> Option<[BigRational; 3]> {
-        let Some(entry) = self.entry("gravity") else {
-            let down = number("-9.81").and_then(|own| own.number().cloned())?;
-            return Some([BigRational::zero(), BigRational::zero(), down]);
-        };
-        let numbers: Option<Vec<BigRational>> = match &entry.value.value {
-            Value::List(items) => items.iter().map(known).collect(),
-            _ => None,
-        };
-        let vector = numbers.and_then(|own| <[BigRational; 3]>::try_from(own).ok());
-        if vector.is_none() {
-            let message = format!("gravity = {}", entry.value.value);
-            let help =
-                "give three numbers in m/s^2 along the axes of the base, for example 0, 0, -9.81";
-            self.wrong("gravity", entry.value.place, message, help);
-        }
-        vector
-    }
-
     fn choice<T: Copy>(&mut self, key: &str, legal: &[(&str, T)]) -> Option<T> {
         let node = &self.entry(key)?.value;
         let chosen = chosen(key, node, legal);
@@ -162,20 +134,5 @@ impl<'a> Reader<'a> {
         let node = &self.entry("name")?.value;
         let named = named(node, "a robot");
         named.map_err(|(message, help)| self.wrong("name", node.place, message, help)).ok()
-    }
-}
-
-/// The names in a list, or in a text with commas.
-fn names(node: &Node) -> Vec<String> {
-    match &node.value {
-        Value::List(items) => items.iter().flat_map(names).collect(),
-        other => other.to_string().split(',').map(|name| name.trim().to_owned()).collect(),
-    }
-}
-
-fn known(node: &Node) -> Option<BigRational> {
-    match &node.value {
-        Value::Number(own @ Fixed::Number { .. }) => own.number().cloned(),
-        _ => None,
     }
 }

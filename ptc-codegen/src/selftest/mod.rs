@@ -135,6 +135,13 @@ impl SelfTest {
     /// The associated system has none; neither has a design whose reference values are not found.
     pub fn new(controller: &Controller<'_>) -> Result<Self, Vec<Diagnostic>> {
         let spec = controller.spec();
+        if spec.arm().is_some() {
+            return Err(refusal(
+                "urdf",
+                "a robot has no self-test",
+                "leave it out, or compare the torques with another library",
+            ));
+        }
         if spec.what == What::Associated {
             return Err(refusal(
                 "what",

@@ -6,9 +6,10 @@ use super::held::{Held, Row};
 use super::mechanics::Mechanics;
 use super::method::State;
 use super::{Along, Failure, Values};
+use crate::dynamics::equations;
 use crate::lower;
 use crate::parameter::Precision;
-use crate::plant::Plant;
+use crate::plant::{Mechanics as Mechanical, Plant};
 use crate::program::kink::Kink;
 use crate::program::{Program, Value, passes};
 use crate::request::Spec;
@@ -33,11 +34,17 @@ impl Motion {
         let mut spec = Spec { precision: Precision::F64, ..spec.clone() };
         // What the plant says of a parameter of a model is true of it, and not what the law takes.
         spec.fixed.retain(|symbol, _| !plant.gives(*symbol));
-        let (computed, inputs) = match &plant.mechanics {
-            None => (plant.rates(&spec), 0),
-            Some(mechanics) => (mechanics.expressions().cloned().collect(), mechanics.bias.len()),
+        let (program, inputs) = match &plant.mechanics {
+            None => (lower::plant(&spec, &plant.rates(&spec)), 0),
+            Some(Mechanical::Equations(own)) => {
+                let computed: Vec<_> = own.expressions().cloned().collect();
+                (lower::plant(&spec, &computed), own.bias.len())
+            }
+            Some(Mechanical::Robot(arm)) => {
+                let equations = equations(&arm.robot, &arm.source.gravity);
+                (equations, arm.robot.bodies.len())
+            }
         };
-        let program = lower::plant(&spec, &computed);
         let program = passes::optimise(program, &mut |_, _| {});
         let along = Along::new(&program, &program.watched, spec.variables());
         Self {

@@ -26,7 +26,9 @@ pub(crate) fn complex(node: &Node) -> Option<Complex> {
                 _ => None,
             }
         }
-        Value::Word(_) | Value::List(_) | Value::Table(_) | Value::Call(..) => None,
+        Value::Word(_) | Value::File(..) | Value::List(_) | Value::Table(_) | Value::Call(..) => {
+            None
+        }
     }
 }
 

@@ -7,6 +7,8 @@ mod written;
 
 pub use parse::parse;
 
+use std::sync::Arc;
+
 use num_traits::Zero;
 
 use crate::algebra::{BigInt, BigRational};
@@ -32,6 +34,9 @@ pub enum Value {
     Imaginary(Fixed),
     /// A word.
     Word(String),
+    /// A path with the text of its file, or why it cannot be read: a front end that reads files puts it in place of
+    /// the word.
+    File(String, Result<Arc<str>, String>),
     /// Values in brackets, or separated by commas.
     List(Vec<Node>),
     /// Names with values in braces.

@@ -44,7 +44,7 @@ impl Display for Value {
             Self::Number(number) => number.fmt(f),
             Self::Imaginary(units) if *units == 1.into() => f.write_str("i"),
             Self::Imaginary(units) => write!(f, "{units}i"),
-            Self::Word(word) => f.write_str(word),
+            Self::Word(word) | Self::File(word, _) => f.write_str(word),
             Self::List(items) => {
                 f.write_str("[")?;
                 separated(f, items, |f, item| item.value.fmt(f))?;

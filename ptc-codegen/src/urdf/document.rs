@@ -42,6 +42,8 @@ pub(super) struct Joint {
     pub(super) axis: Vector,
     /// Name of the joint that it follows.
     pub(super) mimics: Option<String>,
+    /// Largest torque or force; `None` where the file has none above 0.
+    pub(super) effort: Option<BigRational>,
 }
 
 /// Kind of joint.
@@ -176,7 +178,15 @@ fn joint(element: Node<'_, '_>, name: &str) -> Result<Joint, Wrong> {
             Some(mimic) => Some(attribute(mimic, "joint")?.to_owned()),
             None => None,
         },
+        effort: effort(element)?,
     })
+}
+
+/// The effort of `<limit>`. Files without one often say 0.
+fn effort(joint: Node<'_, '_>) -> Result<Option<BigRational>, Wrong> {
+    let Some(limit) = child(joint, "limit") else { return Ok(None) };
+    let Some(text) = limit.attribute("effort") else { return Ok(None) };
+    Ok(Some(decimal(limit, "effort", text)?).filter(Signed::is_positive))
 }
 
 /// The placement of `<origin xyz rpy>` in an element; the frames coincide where there is none.

@@ -15,7 +15,7 @@ pub type Vector = [BigRational; 3];
 pub type Matrix = [Vector; 3];
 
 /// Position and orientation of a frame in another one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Placement {
     /// Rotation: the columns are the axes of the frame.
     pub rotation: Matrix,

@@ -8,7 +8,7 @@ use super::geometry::{Matrix, Placement, Vector, product, sum, times, transposed
 use crate::algebra::{BigRational, integer};
 
 /// The inertia of a body about the origin of a frame. All of it is linear in the density, so bodies add up.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Inertia {
     /// Mass.
     pub mass: BigRational,
@@ -57,6 +57,13 @@ impl Inertia {
         self.mass += &more.mass;
         self.first = sum(&self.first, &more.first);
         self.second = from_fn(|i| sum(&self.second[i], &more.second[i]));
+    }
+
+    /// Takes out another body.
+    pub(super) fn subtract(&mut self, less: &Self) {
+        self.mass -= &less.mass;
+        self.first = from_fn(|i| &self.first[i] - &less.first[i]);
+        self.second = from_fn(|i| from_fn(|j| &self.second[i][j] - &less.second[i][j]));
     }
 
     /// The part that acts on a body in the same way whatever the position of a joint about its z axis: what lies on that

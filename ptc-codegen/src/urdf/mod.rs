@@ -4,16 +4,28 @@
 //! joint turns about or slides along the z axis of its body, and mass, first moment and second moments of a body are
 //! those about the origin of its frame.
 
+// The macro reads no files, and leaves unused what only their reader needs.
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
 mod angle;
+#[cfg(feature = "files")]
 mod document;
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
 mod geometry;
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
 mod inertia;
+mod payload;
+mod source;
+#[cfg(feature = "files")]
 mod tree;
 
 pub use geometry::{Matrix, Placement, Vector};
 pub use inertia::Inertia;
+pub use payload::Payload;
+pub(crate) use source::payload_text;
+pub use source::{Ends, Source};
 
 use crate::algebra::BigRational;
+#[cfg(feature = "files")]
 use document::Document;
 
 /// A mistake in a URDF file.
@@ -27,19 +39,11 @@ pub struct Wrong {
     pub help: String,
 }
 
+#[cfg(feature = "files")]
 impl Wrong {
     fn whole(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), help: help.into() }
     }
-}
-
-/// The links between which a robot is taken from its file.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Ends {
-    /// Link that does not move; `None` for the root of the file.
-    pub base: Option<String>,
-    /// Links at the ends of chains; empty for all that the base carries.
-    pub tips: Vec<String>,
 }
 
 /// Motion of a joint.
@@ -52,12 +56,14 @@ pub enum Motion {
 }
 
 /// A body with the joint that moves it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Body {
     /// Name of the joint.
     pub joint: String,
     /// Motion of the joint.
     pub motion: Motion,
+    /// Largest torque or force of the joint, if the file gives one.
+    pub effort: Option<BigRational>,
     /// The body that carries the joint; `None` for the base.
     pub parent: Option<usize>,
     /// Frame of the body in that of its parent, at position 0.
@@ -67,7 +73,7 @@ pub struct Body {
 }
 
 /// A robot: bodies with one degree of freedom each, parents before children.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Robot {
     /// Name in the file.
     pub name: String,
@@ -82,7 +88,7 @@ pub struct Robot {
 }
 
 /// A frame on a body.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Tip {
     /// Name of the link.
     pub link: String,
@@ -110,6 +116,7 @@ impl Robot {
 /// # Errors
 /// The first mistake: XML that is not well-formed, an element without what it needs, a number that is not one, links
 /// that joints do not connect to one tree, or a joint of a kind that is not supported.
+#[cfg(feature = "files")]
 pub fn read(text: &str, ends: &Ends) -> Result<Robot, Wrong> {
     let document = Document::read(text)?;
     tree::robot(&document, ends)
@@ -123,3 +130,9 @@ fn rounded(value: &BigRational, bits: usize) -> BigRational {
 
 /// Bits behind the point of what is irrational: some thirty digits, twice those of a double.
 const BITS: usize = 110;
+
+/// A name of a URDF file in characters that every comment can hold.
+pub(crate) fn plain(name: &str) -> String {
+    let legal = |c: char| c.is_ascii_alphanumeric() || "_-.+: ".contains(c);
+    name.chars().map(|c| if legal(c) { c } else { '_' }).collect()
+}

@@ -265,6 +265,7 @@ impl<'a> Assembly<'a> {
         let back = turned(transposed(&rotation));
         self.robot.bodies.push(Body {
             joint: joint.name.clone(),
+            effort: joint.effort.clone(),
             motion,
             parent,
             placement: place.then(&turned(rotation)),

@@ -17,6 +17,8 @@ mod new;
 mod projects;
 mod proof;
 mod robot;
+#[cfg(all(unix, feature = "lab"))]
+mod robot_controller;
 mod show;
 #[path = "../support/mod.rs"]
 mod support;

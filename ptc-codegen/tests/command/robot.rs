@@ -80,11 +80,11 @@ fn flags_and_commands_of_controllers_are_refused() {
     for (words, expected) in [
         (
             vec!["check", "designs/pendulum.toml"],
-            "error[conflict]: a robot has functions, and no controller yet",
+            "error[conflict]: what = inverse-dynamics is of `emit`",
         ),
         (
             vec!["simulate", "designs/pendulum.toml", "--x0", "1"],
-            "error[conflict]: a robot has functions, and no controller yet",
+            "error[conflict]: what = inverse-dynamics is of `emit`",
         ),
         (
             words(&["--lang", "c", "--selftest"]),
@@ -103,8 +103,8 @@ fn flags_and_commands_of_controllers_are_refused() {
             "error[unsupported]: python has no fused multiply-add",
         ),
         (
-            words(&["--lang", "c", "--what", "observer"]),
-            "error[bad-value]: what = observer of a robot",
+            words(&["--lang", "c", "--what", "inertia"]),
+            "error[bad-value]: what = inertia of a robot",
         ),
         (
             words(&["--lang", "c", "--tip", "rood"]),

@@ -38,6 +38,7 @@ mod report;
 mod reproductions;
 mod resonances;
 mod rest_points;
+mod robots;
 #[cfg(unix)]
 mod sampled;
 mod samples;

@@ -11,6 +11,7 @@ use ptc_codegen::robot::{self, code};
 use ptc_codegen::syntax::parse;
 use ptc_codegen::urdf::Robot;
 
+use crate::support::with_urdf;
 use lagrange::{GRAVITY, Joint, lagrange, tree, urdf};
 
 /// Returns the next of a row of numbers between -3 and 3.
@@ -34,8 +35,8 @@ fn entries(pairs: &[(&str, &str)]) -> Vec<Entry> {
 fn functions(text: &str, keys: &[(&str, &str)]) -> (Instance, Robot) {
     let all = [&[("urdf", "test.urdf"), ("what", "inverse-dynamics, mass-matrix, jacobian")], keys]
         .concat();
-    let request = robot::read(&entries(&all)).expect("a request");
-    let robot = request.robot(text).expect("a robot");
+    let request = robot::read(&with_urdf(entries(&all), text)).expect("a request");
+    let robot = request.robot().expect("a robot");
     let code = code(&request, &robot);
     (Instance::new(&code, &[]).expect("no parameters"), robot)
 }
@@ -56,8 +57,9 @@ fn trees_obey_lagranges_equations() {
         let all = [&keys[..], &[("what", "inverse-dynamics, mass-matrix")]].concat();
         let mut given = vec![("urdf", "test.urdf")];
         given.extend(all);
-        let request = robot::read(&entries(&given)).expect("a request");
-        let robot = request.robot(&urdf(&joints)).expect("a robot");
+        let entries = with_urdf(entries(&given), &urdf(&joints));
+        let request = robot::read(&entries).expect("a request");
+        let robot = request.robot().expect("a robot");
         let mut arm = Instance::new(&code(&request, &robot), &[]).expect("no parameters");
         let mut state = 1;
         for _ in 0..50 {

@@ -115,7 +115,8 @@ fn pages_show_what_is_printed() {
     fs::write(folder.join("table.toml"), TABLE).expect("writable");
     let [robot] = &blocks_of(ROBOTS, "xml")[..] else { panic!("a robot") };
     fs::write(folder.join("scara.urdf"), robot).expect("writable");
-    let [functions] = &blocks_of(ROBOTS, "toml")[..] else { panic!("a design") };
+    let [reach, functions] = &blocks_of(ROBOTS, "toml")[..] else { panic!("designs") };
+    fs::write(folder.join("reach.toml"), reach).expect("writable");
     fs::write(folder.join("scara.toml"), functions).expect("writable");
     let [stop] = &blocks_of(FILTER, "toml")[..] else { panic!("a filter") };
     fs::write(folder.join("stop.toml"), stop).expect("writable");

@@ -15,12 +15,21 @@ use std::process::{Command, Output, Stdio};
 use ptc_codegen::diagnostic::Place;
 use ptc_codegen::plant::{self, Plant};
 use ptc_codegen::request::{Entry, Spec};
+use ptc_codegen::syntax::Value;
 use ptc_codegen::{design, request};
 
 /// The entries of a design file's text.
 pub(crate) fn entries(text: &str) -> Vec<Entry> {
     let (entries, found) = design::read(text, &mut |_| Place(0));
     assert_eq!(found, [], "{text}");
+    entries
+}
+
+/// Entries whose key `urdf` has the text of a file.
+pub(crate) fn with_urdf(mut entries: Vec<Entry>, text: &str) -> Vec<Entry> {
+    for entry in entries.iter_mut().filter(|entry| entry.key == "urdf") {
+        entry.value.value = Value::File(entry.value.value.to_string(), Ok(text.into()));
+    }
     entries
 }
 

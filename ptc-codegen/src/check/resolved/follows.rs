@@ -19,6 +19,7 @@ pub fn follows(spec: &Spec) -> Vec<Choice> {
     if !spec.has_law() {
         return all;
     }
+    all.extend(efforts(spec));
     all.extend(delay_law(spec));
     all.extend(end(spec));
     all.extend(observer(spec));
@@ -28,6 +29,18 @@ pub fn follows(spec: &Spec) -> Vec<Choice> {
 /// A number of a fixed parameter; `None` where it is left to run time.
 fn number(spec: &Spec, parameter: Parameter) -> Option<&BigRational> {
     spec.fixed.get(&parameter).and_then(Fixed::number)
+}
+
+/// The limits of the joints of a robot that are those of its file.
+fn efforts(spec: &Spec) -> Option<Choice> {
+    let efforts = spec.arm()?.efforts()?;
+    let limits = spec.axes.as_ref()?.limits.iter().map(Fixed::number);
+    if !limits.eq(efforts.iter().map(Some)) {
+        return None;
+    }
+    let all: Vec<_> = efforts.iter().map(constant::text).collect();
+    let (value, reason) = (format!("[{}]", all.join(", ")), "the efforts of the URDF".to_owned());
+    Some(Choice { key: "limits", value, reason })
 }
 
 /// The law of a delay, which the number of poles decides.

@@ -16,7 +16,7 @@ use crate::emit::{File, Language, Project};
 use crate::expansion::Expanded;
 use crate::internal::fault;
 use crate::plant;
-use crate::request::Spec;
+use crate::request::{Spec, asks_for_functions};
 
 pub(crate) use args::{EXAMPLES, Emit};
 use destination::{make, place};
@@ -49,8 +49,11 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
         source.give("precision", "f32");
     }
     let given = source.parse();
-    if crate::robot::is_described(&given.entries) {
-        return robot::emit(request, &mut outputs, &source, &given);
+    if let Some(entry) = given.entries.iter().find(|entry| entry.key == "urdf") {
+        outputs.reads("the URDF file", &source.file_of(entry));
+    }
+    if asks_for_functions(&given.entries) {
+        return robot::emit(request, &mut outputs, &given);
     }
     let mut spec = given.read()?;
     let expanded = request.engine.engine.prepare(&mut spec)?;
@@ -86,7 +89,8 @@ pub(crate) fn emit(request: &Emit) -> Result<(), Failure> {
 fn resolved(source: &Source, design: &Resolved) -> Result<String, Failure> {
     let fingerprint = design.spec.fingerprint();
     let text = source.completed(chosen(&design.choices));
-    let (entries, found) = design::read(&text, &mut |_| Place(usize::MAX));
+    let (mut entries, found) = design::read(&text, &mut |_| Place(usize::MAX));
+    design::with_files(&mut entries, &|entry| source.file_of(entry));
     let again = plant::read_design(&entries).ok().filter(|_| found.is_empty());
     match again.map(|(spec, _)| Resolved::of(&spec)) {
         Some(again) if again.choices.is_empty() && again.spec.fingerprint() == fingerprint => {

@@ -3,19 +3,16 @@
 use super::args::Emit;
 use super::destination::place;
 use crate::cli::output::Outputs;
-use crate::cli::read;
 use crate::cli::report::Failure;
-use crate::cli::source::{Parsed, Source};
+use crate::cli::source::Parsed;
 use crate::diagnostic::Diagnostic;
 use crate::emit::{File, Language, emit_robot};
-use crate::limits::URDF;
 use crate::robot::{self, Request};
 
 /// Runs `emit` of a robot.
 pub(super) fn emit(
     given: &Emit,
     outputs: &mut Outputs,
-    source: &Source,
     parsed: &Parsed<'_>,
 ) -> Result<(), Failure> {
     beside_functions(given)?;
@@ -23,23 +20,16 @@ pub(super) fn emit(
         Ok(wanted) => parsed.finish(Some(wanted), Vec::new())?,
         Err(found) => return parsed.finish(None, found),
     };
-    let path = source.folder_of("urdf").join(&wanted.urdf);
-    outputs.reads("the URDF file", &path);
-    let text = read::text(&path, URDF.most)?;
     // The grammar requires a language, or a project, which is refused.
     let language = given.lang.unwrap_or(Language::C);
-    match files(&wanted, &text, language) {
+    match files(&wanted, language) {
         Ok((name, files)) => place(given, outputs, (&name, language), &files),
         Err(found) => parsed.finish(None, found),
     }
 }
 
-fn files(
-    wanted: &Request,
-    text: &str,
-    language: Language,
-) -> Result<(String, Vec<File>), Vec<Diagnostic>> {
-    let robot = wanted.robot(text)?;
+fn files(wanted: &Request, language: Language) -> Result<(String, Vec<File>), Vec<Diagnostic>> {
+    let robot = wanted.robot()?;
     Ok((wanted.name(&robot), emit_robot(wanted, &robot, language)?))
 }
 

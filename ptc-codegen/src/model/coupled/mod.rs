@@ -1,6 +1,7 @@
 //! Plants with several inputs and outputs: each output with its derivatives is a chain of integrators,
 //! and a matrix says which input moves the last rate of which.
 
+pub(crate) mod arm;
 mod names;
 mod text;
 
@@ -12,6 +13,7 @@ use crate::collect::listed;
 use crate::expression::effort::bounded;
 use crate::expression::{Expression, Variable};
 use crate::parameter::Name;
+pub use arm::Arm;
 use text::rows;
 
 /// A plant with as many outputs as inputs. Its states are `x_1`..`x_N` in its expressions, and its
@@ -68,6 +70,8 @@ pub enum Inverse {
         /// Inputs that hold q'' = 0.
         bias: Vec<Expression>,
     },
+    /// The same of a robot, by the recursive Newton-Euler algorithm.
+    Robot(Box<Arm>),
 }
 
 /// Why the outputs are no chains of integrators that the inputs move one by one.
@@ -91,6 +95,7 @@ impl Coupled {
             }
             Inverse::Elimination { matrix, .. } => (matrix, &[][..]),
             Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
+            Inverse::Robot(_) => return false,
         };
         let drifts = self.outputs.iter().map(|output| &output.drift);
         !drifts.chain(matrix.iter().flatten()).chain(vectors).any(Expression::varies)
@@ -160,12 +165,7 @@ impl Coupled {
                 let text = |e: &Expression| named(&states, None, e).to_string();
                 return Err(IllCoupled::Singular(rows(&text, &inertia)));
             }
-            let state = |j: usize| Expression::from(Variable::State(j));
-            let output = |j: usize| Output {
-                coordinates: vec![state(j), state(m + j)],
-                drift: Expression::integer(0),
-            };
-            let outputs = (1..=m).map(output).collect();
+            let outputs = Output::positions(m);
             let inverse = Inverse::Inertia { inertia, bias };
             Ok(Self::of(states, inputs, outputs, inverse))
         })
@@ -220,12 +220,13 @@ impl Coupled {
     pub fn expressions(&self) -> impl Iterator<Item = &Expression> {
         let chains = self.outputs.iter();
         let chains = chains.flat_map(|output| output.coordinates.iter().chain([&output.drift]));
-        let (matrix, others) = match &self.inverse {
+        let (matrix, others): (&[Vec<Expression>], _) = match &self.inverse {
             Inverse::Adjugate { determinant, adjugate, .. } => {
                 (adjugate, std::slice::from_ref(determinant))
             }
             Inverse::Elimination { matrix, .. } => (matrix, [].as_slice()),
             Inverse::Inertia { inertia, bias } => (inertia, bias.as_slice()),
+            Inverse::Robot(_) => (&[], [].as_slice()),
         };
         listed(chains.chain(matrix.iter().flatten()).chain(others))
     }
@@ -235,7 +236,7 @@ impl Coupled {
         match &self.inverse {
             Inverse::Adjugate { determinant, .. } => Some(determinant.clone()),
             Inverse::Elimination { matrix, .. } => written_out(matrix),
-            Inverse::Inertia { .. } => None,
+            Inverse::Inertia { .. } | Inverse::Robot(_) => None,
         }
     }
 
@@ -243,7 +244,7 @@ impl Coupled {
     pub fn dynamics(&self) -> &[Expression] {
         match &self.inverse {
             Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => dynamics,
-            Inverse::Inertia { .. } => &[],
+            Inverse::Inertia { .. } | Inverse::Robot(_) => &[],
         }
     }
 }

@@ -32,10 +32,11 @@ impl Coupled {
     /// The expressions that a design gives it by.
     fn written(&self) -> impl Iterator<Item = &Expression> {
         let (rows, others) = match &self.inverse {
-            Inverse::Inertia { inertia, bias } => (inertia.as_slice(), bias),
+            Inverse::Inertia { inertia, bias } => (inertia.as_slice(), bias.as_slice()),
             Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => {
-                (&[][..], dynamics)
+                (&[][..], dynamics.as_slice())
             }
+            Inverse::Robot(_) => (&[][..], &[][..]),
         };
         let outputs = (0..self.outputs.len()).map(|index| self.output(index));
         rows.iter().flatten().chain(others).chain(outputs)

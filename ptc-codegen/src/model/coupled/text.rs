@@ -32,6 +32,7 @@ impl Coupled {
                 self.rates(dynamics).into_iter().chain(outputs).collect()
             }
             Inverse::Inertia { inertia, bias } => self.motion(inertia, bias),
+            Inverse::Robot(arm) => arm.lines(),
         };
         values.chain(equations).collect()
     }

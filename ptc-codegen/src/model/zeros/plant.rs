@@ -31,7 +31,7 @@ impl<'a> Plant<'a> {
     pub(crate) fn of_coupled(coupled: &'a Coupled, values: &Values) -> Option<Self> {
         let dynamics = match &coupled.inverse {
             Inverse::Adjugate { dynamics, .. } | Inverse::Elimination { dynamics, .. } => dynamics,
-            Inverse::Inertia { .. } => return None,
+            Inverse::Inertia { .. } | Inverse::Robot(_) => return None,
         };
         let first = coupled.states.len() + 1;
         let inputs = (first..).zip(&coupled.inputs).map(|(j, name)| (*name, Variable::State(j)));

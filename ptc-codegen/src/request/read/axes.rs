@@ -3,13 +3,15 @@
 use super::least_energy::is_least_energy;
 use super::reference::OF_AXES;
 use super::{Reader, count, items, shown};
+use crate::algebra::BigRational;
 use crate::diagnostic::counted;
 use crate::expression::constant::real;
 use crate::expression::{self, Expression};
 use crate::limits::AXES;
+use crate::model::Arm;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{After, Axes, Feedback, Reference, Spec, What};
-use crate::syntax::{Node, Value};
+use crate::syntax::{Node, Value, constant};
 
 /// Keys of the bounds that are alike on all axes, whose states have the same units.
 const BOUNDS: [&str; 6] = ["noise", "noise_rms", "sensor_step", "error", "x0_max", "x_max"];
@@ -96,6 +98,7 @@ impl<'a> Reader<'a> {
             }
         }
         self.limits_of_axes(&mut axes);
+        self.efforts_of_joints(spec, &mut axes);
         for item in self.for_axes("g", number) {
             let gain = self.input_gain_of(item, spec.n, &known);
             axes.input_gains.extend(gain);
@@ -144,6 +147,16 @@ impl<'a> Reader<'a> {
             axes.limits.push(most);
             axes.lower.extend(pairs.then_some(least));
         }
+    }
+
+    /// The efforts of the joints of a robot as their limits, where all have one and the design gives none.
+    fn efforts_of_joints(&self, spec: &Spec, axes: &mut Axes) {
+        if ["limits", "u_max", "u_min"].iter().any(|key| self.keys.contains_key(key)) {
+            return;
+        }
+        let efforts = spec.arm().and_then(Arm::efforts).unwrap_or_default();
+        let limit = |value: BigRational| Fixed::Number { text: constant::text(&value), value };
+        axes.limits.extend(efforts.into_iter().map(limit));
     }
 
     /// `[lower, upper]`.

@@ -13,7 +13,7 @@ pub(super) fn words(node: &Node) -> BTreeSet<&str> {
     let (mut words, mut left) = (BTreeSet::new(), vec![node]);
     while let Some(node) = left.pop() {
         match &node.value {
-            Value::Number(_) => {}
+            Value::Number(_) | Value::File(..) => {}
             Value::Imaginary(unit) => words.extend((*unit == 1.into()).then_some("i")),
             Value::Word(word) => words.extend([word.as_str()]),
             Value::List(items) => left.extend(items),

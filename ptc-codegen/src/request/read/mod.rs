@@ -23,6 +23,9 @@ pub(crate) use entries::meant;
 pub(crate) use model::state_name;
 pub(crate) use parameters::known;
 pub(crate) use reference::derivatives;
+pub(crate) use robot::{NO_TIP, payload_of};
+#[cfg(feature = "files")]
+pub(crate) use robot::{asks_for_functions, robot_of, robot_source};
 pub(crate) use values::items;
 
 use std::collections::BTreeMap;

@@ -166,7 +166,8 @@ impl<'a> Reader<'a> {
     /// model is not written.
     fn associated(&mut self, spec: &mut Spec) {
         spec.guard = Guard::Full;
-        if spec.has_model() {
+        // `fits_coupled` refuses one with several inputs.
+        if spec.has_model() && spec.coupled.is_none() {
             let place = self.keys.get("what").map(|node| node.place);
             let message = "the infinite-time system of a model is not made".to_owned();
             let help = "its state is that of the chain of the output, not that of the model: give the chain with n, f and g, or leave `what` out";

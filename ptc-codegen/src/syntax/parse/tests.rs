@@ -11,7 +11,7 @@ fn shape(value: &Value) -> String {
     match value {
         Value::Number(number) => number.to_string(),
         Value::Imaginary(units) => format!("{units}i"),
-        Value::Word(word) => word.clone(),
+        Value::Word(word) | Value::File(word, _) => word.clone(),
         Value::List(items) => items.iter().map(|n| shape(&n.value)).collect::<Vec<_>>().join(","),
         Value::Call(name, arguments) => {
             let inner: Vec<_> = arguments.iter().map(|a| shape(&a.value.value)).collect();

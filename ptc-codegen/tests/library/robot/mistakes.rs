@@ -1,17 +1,20 @@
 //! Mistakes in a URDF file, and in what is asked for of it.
 
-use ptc_codegen::robot;
+use ptc_codegen::diagnostic::{Diagnostic, Place};
+use ptc_codegen::{design, request, robot};
 
 use super::entries;
-use super::lagrange::{tree, urdf};
+use super::lagrange::{Joint, tree, urdf};
+use crate::support::with_urdf;
 
 /// Replaces a part of the file of the tree, and tries to read it.
 fn refused(from: &str, to: &str, keys: &[(&str, &str)]) -> String {
     let text = urdf(&tree());
     assert!(text.contains(from), "{from}");
     let given = [&[("urdf", "test.urdf"), ("what", "inverse-dynamics")], keys].concat();
-    let request = robot::read(&entries(&given)).expect("a request");
-    let found = request.robot(&text.replacen(from, to, 1)).expect_err("a mistake");
+    let entries = with_urdf(entries(&given), &text.replacen(from, to, 1));
+    let request = robot::read(&entries).expect("a request");
+    let found = request.robot().expect_err("a mistake");
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(!found[0].help.is_empty());
     found[0].message.clone()
@@ -118,9 +121,8 @@ fn a_body_without_inertia_is_refused_by_its_joint() {
     let end = text.find("</inertial>").expect("its end") + "</inertial>".len();
     let text = format!("{}{}", &text[..start], &text[end..]);
     let of = |what: &str| {
-        let request =
-            robot::read(&entries(&[("urdf", "test.urdf"), ("what", what)])).expect("a request");
-        request.robot(&text)
+        let given = entries(&[("urdf", "test.urdf"), ("what", what)]);
+        robot::read(&with_urdf(given, &text)).expect("a request").robot()
     };
     let found = of("mass-matrix").expect_err("no inertia");
     assert_eq!(found[0].message, "test.urdf: what joint `joint1` moves has no inertia");
@@ -150,4 +152,79 @@ fn mistakes_of_a_request_are_reported_at_once() {
     assert_eq!(found[1].help, "did you mean inverse-dynamics?");
     let found = robot::read(&entries(&[("urdf", "a.urdf")])).expect_err("no function");
     assert_eq!(found[0].code, "missing-key");
+}
+
+/// A controller of the tree, or of what its keys leave of it.
+fn controller(more: &str, urdf: &str) -> Vec<Diagnostic> {
+    let head = "mu = \"exp(a=1)\"\npoles = [-3, -4]\nurdf = \"arm.urdf\"\n";
+    let (entries, found) = design::read(&format!("{head}{more}"), &mut |_| Place(0));
+    assert_eq!(found, []);
+    match request::read(&with_urdf(entries.clone(), urdf)) {
+        Ok(_) => Vec::new(),
+        Err(meaning) => design::mistakes(&found, &entries, meaning),
+    }
+}
+
+#[test]
+fn each_mistake_beside_a_robot_has_one_message() {
+    let arm = urdf(&tree());
+    assert_eq!(controller("", &arm), []);
+    for (more, expected) in [
+        ("n = 3", "n = 3, but the relative degree of the output is 2"),
+        (
+            "states = [\"a\", \"b\"]\ninput = \"u\"\noutput = \"a\"\ndynamics = [\"b\", \"u\"]",
+            "`states` beside `urdf`, which gives the plant",
+        ),
+        ("inertia = [[1]]\nbias = [0]", "`inertia` beside `urdf`, which gives the plant"),
+        ("f = \"x1\"", "`f` beside `urdf`, which gives the plant"),
+        ("axes = 6", "`axes` beside `urdf`, which gives the plant"),
+        ("what = \"associated\"", "such a plant is of a controller"),
+        ("what = \"jacobian\"", "what = jacobian is of `emit`"),
+        ("tip = \"link9\"", "arm.urdf: there is no link `link9`, which `tip` names"),
+        ("gravity = 9.81", "gravity = 9.81"),
+        ("reference = [\"0\", \"t\"]", "2 references for 6 outputs"),
+        ("limits = [1, 2]", "2 values of `limits` for 6 axes"),
+    ] {
+        let found = controller(more, &arm);
+        assert!(found.len() == 1 && found[0].message == expected, "{more}: {found:?}");
+        assert!(!found[0].help.is_empty());
+    }
+    let found = controller("", &urdf(&tree()[..1]).replace("<mass value=\"4\"/>", ""));
+    assert_eq!(found.len(), 1, "{found:?}");
+    let long: Vec<_> = (0..9).map(|index| Joint { parent: index, ..tree().remove(0) }).collect();
+    let found = controller("", &urdf(&long));
+    assert!(found.len() == 1 && found[0].message == "9 joints of a controller", "{found:?}");
+}
+
+/// Without files, as in the module of Python, there is no robot.
+#[test]
+fn a_file_that_has_not_been_read_is_refused() {
+    let text = "mu = \"exp(a=1)\"\npoles = [-3, -4]\n[robot]\nurdf = \"arm.urdf\"\n";
+    let found = request::read(&crate::support::entries(text)).expect_err("no file");
+    assert!(found.len() == 1 && found[0].message == "arm.urdf has not been read", "{found:?}");
+}
+
+/// A design without limits has those of the file, if it gives one for every joint.
+#[test]
+fn efforts_of_all_joints_are_limits() {
+    let text =
+        "mu = \"exp(a=1)\"\npoles = [-3, -4]\n[params]\ntau = 1\n[robot]\nurdf = \"arm.urdf\"\n";
+    let limits = |text: &str, efforts: &[&str]| {
+        let mut urdf = urdf(&tree()[..2]);
+        for (index, effort) in (1..).zip(efforts) {
+            let parent = format!("<parent link=\"link{}\"/>", index - 1);
+            urdf = urdf.replace(&parent, &format!("{parent}<limit effort=\"{effort}\"/>"));
+        }
+        let spec = request::read(&with_urdf(crate::support::entries(text), &urdf));
+        let spec = spec.expect("a controller");
+        let limits = spec.axes.expect("joints").limits;
+        limits.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(limits(text, &["87", "12.5"]), ["87", "12.5"]);
+    assert!(limits(text, &["87", "0"]).is_empty());
+    assert!(limits(text, &["87"]).is_empty());
+    let own = text.replace("[params]", "limits = [5, 6]\n[params]");
+    assert_eq!(limits(&own, &["87", "12.5"]), ["5", "6"]);
+    let own = text.replace("[params]", "[params]\nu_max = inf");
+    assert!(limits(&own, &["87", "12.5"]).is_empty());
 }

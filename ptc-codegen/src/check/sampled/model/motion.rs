@@ -32,10 +32,13 @@ impl Motion {
     /// The plant of a design; `None` where it has no model.
     pub(super) fn new(spec: &Spec) -> Option<Self> {
         match (&spec.model, spec.decoupled()) {
-            (_, Some(coupled)) => Some(bounded(|| match &coupled.inverse {
-                Inverse::Inertia { inertia, bias } => Self::mechanical(coupled, inertia, bias),
-                _ => Self::coupled(coupled),
-            })),
+            (_, Some(coupled)) => bounded(|| match &coupled.inverse {
+                Inverse::Inertia { inertia, bias } => {
+                    Some(Self::mechanical(coupled, inertia, bias))
+                }
+                Inverse::Robot(_) => None,
+                _ => Some(Self::coupled(coupled)),
+            }),
             (Some(model), None) => {
                 let f = spec.drift.clone().unwrap_or(Expression::integer(0));
                 let g = spec.input_gain.clone().unwrap_or(Expression::integer(1));

@@ -3,7 +3,7 @@
 use crate::expression::Expression;
 use crate::model::{Coupled, Inverse};
 use crate::parameter::Name;
-use crate::plant::Plant;
+use crate::plant::{Mechanics, Plant};
 use crate::request::{Feedback, Spec};
 
 use super::closed::{mapping, matrix, r};
@@ -43,6 +43,11 @@ pub(super) fn groups(
         groups.push(own);
     }
     Ok(groups)
+}
+
+/// M w + b.
+fn mechanical() -> Math {
+    relation(product(name("M"), name("w")), "+", name("b"))
 }
 
 /// The plant with several inputs, and how these follow from what the laws want.
@@ -86,13 +91,14 @@ pub(super) fn group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group 
             equal(product(name("D"), name("u")), name("w"))
         }
         Inverse::Inertia { inertia, bias } => {
-            let own = plant.mechanics.as_ref();
+            let own = plant.mechanics.as_ref().and_then(Mechanics::equations);
             let (true_inertia, true_bias) =
                 own.map_or((inertia, bias), |own| (&own.inertia, &own.bias));
             formulas.extend(named_rows("M", true_inertia));
             formulas.extend(each("b", true_bias));
-            equal(name("u"), relation(product(name("M"), name("w")), "+", name("b")))
+            equal(name("u"), mechanical())
         }
+        Inverse::Robot(_) => equal(name("u"), mechanical()),
     };
     formulas.push(law);
     let mut told = match &coupled.inverse {
@@ -105,6 +111,10 @@ pub(super) fn group((spec, coupled): (&Spec, &Coupled), plant: &Plant) -> Group 
         Inverse::Inertia { .. } => {
             let q = Name::listed(&coupled.states[..coupled.inputs.len()]);
             format!("The plant M q'' + b = u with q = ({q}), and the inputs that follow from w, what the laws want of q''.")
+        }
+        Inverse::Robot(arm) => {
+            let lines = arm.lines().join("; ");
+            format!("The plant M q'' + b = u of rigid bodies, and the torques that follow from w, what the laws want of q'', by the recursive Newton-Euler algorithm, without M or b: {lines}.")
         }
     };
     if spec.sampled_exactly().is_some() {

@@ -19,13 +19,16 @@ const OTHERS: [&str; 8] = ["input", "output", "axes", "f", "g", "A", "B", "C"];
 impl Reader<'_> {
     /// Returns true if the plant has several inputs and outputs, in either notation.
     pub(in super::super) fn has_coupled(&self) -> bool {
-        KEYS.iter().any(|key| self.keys.contains_key(key))
+        self.has_robot() || KEYS.iter().any(|key| self.keys.contains_key(key))
     }
 
     /// The plant, if there is one that can be read.
     pub(in super::super) fn coupled(&mut self) -> Option<Coupled> {
         if !self.has_coupled() {
             return None;
+        }
+        if self.has_robot() {
+            return self.robot();
         }
         let lagrangian = ["inertia", "bias"].iter().any(|key| self.keys.contains_key(key));
         let (wanted, against): ([&str; 4], [&str; 2]) = match lagrangian {

@@ -1,5 +1,6 @@
 //! A model of the plant: its names, its expressions, and the chain of its output.
 
+mod arm;
 mod coupled;
 mod ill;
 mod intermediates;

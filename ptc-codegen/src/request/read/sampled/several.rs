@@ -94,6 +94,7 @@ fn linear(coupled: &Coupled, values: &Values) -> Option<Several> {
             };
             (0..n).map(rate).collect()
         }
+        Inverse::Robot(_) => return None,
     };
     Some(Several {
         a: rates.iter().map(|row| row[..n].to_vec()).collect(),

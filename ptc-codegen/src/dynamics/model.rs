@@ -57,6 +57,12 @@ impl Joints {
         Self { positions, rates, accelerations, turns }
     }
 
+    /// The same with accelerations of 0.
+    pub(super) fn at_constant_rates(mut self) -> Self {
+        self.accelerations.fill(Term::zero());
+        self
+    }
+
     /// One of the joints of these bodies, by its index.
     pub(super) fn at<'a>(&'a self, bodies: &'a [Body], index: usize) -> Joint<'a> {
         Joint {

@@ -1,0 +1,103 @@
+//! Runs of robots. The torques cancel what moves the joints, so each joint is a chain of integrators with its law, and
+//! the run of the tree is that of as many chains.
+
+use std::fs;
+
+use super::LAW;
+use super::lagrange::{Joint, tree, urdf};
+use crate::support::{folder, run_in};
+
+const X0: &str = "0.5,-0.3,0.8,-1,0.2,0.1,0.4,0.2,-0.5,1,0,-0.3";
+
+/// The rows of a run in a folder, without the torques.
+fn rows(folder: &std::path::Path, words: &[&str], states: usize) -> Vec<Vec<f64>> {
+    let (code, csv, told) = run_in(folder, &[&["simulate"], words].concat());
+    assert_eq!(code, Some(0), "{told}");
+    let numbers = |line: &str| -> Vec<f64> {
+        line.split(',')
+            .skip(1)
+            .take(1 + states)
+            .map(|cell| cell.parse().expect("a number"))
+            .collect()
+    };
+    csv.lines().skip(1).map(numbers).collect()
+}
+
+/// The folder of a design of a robot, and of the same law for chains.
+fn written(test: &str, joints: &[Joint], more: &str) -> std::path::PathBuf {
+    let folder = folder(test);
+    fs::write(folder.join("arm.urdf"), urdf(joints)).expect("a file");
+    fs::write(folder.join("arm.toml"), format!("{LAW}{more}")).expect("a file");
+    let (law, _) = LAW.split_once("[robot]").expect("a robot");
+    let chains = format!("n = 2\naxes = 6\n{law}");
+    fs::write(folder.join("chains.toml"), chains).expect("a file");
+    folder
+}
+
+#[test]
+fn joints_move_as_chains_of_integrators() {
+    for (test, more) in
+        [("gravity", "gravity = [0.4, -1.1, -9.7]\n"), ("weightless", "gravity = [0, 0, 0]\n")]
+    {
+        let folder = written(test, &tree(), more);
+        let arm = rows(&folder, &["arm.toml", "--x0", X0], 12);
+        // Of axes the states of one follow each other.
+        let x0: Vec<_> = X0.split(',').collect();
+        let x0: Vec<_> = (0..6).flat_map(|j| [x0[j], x0[6 + j]]).collect();
+        let chains = rows(&folder, &["chains.toml", "--x0", &x0.join(",")], 12);
+        assert_eq!(arm.len(), chains.len());
+        for (arm, chains) in arm.iter().zip(&chains) {
+            for j in 0..6 {
+                let [q, v] = [arm[1 + j] - chains[1 + 2 * j], arm[7 + j] - chains[2 + 2 * j]];
+                assert!(q.abs() < 1e-8 && v.abs() < 1e-7, "{arm:?}, not {chains:?}");
+            }
+        }
+        let last = arm.last().expect("rows");
+        let rest = last[1..7].iter().fold(0.0, |most: f64, q| most.max(q.abs()));
+        assert!((last[0] - 1.0).abs() < 1e-8 && rest < 1e-8, "{last:?}");
+    }
+}
+
+#[test]
+fn a_sampled_arm_follows_its_references() {
+    let more = "gravity = [0, 0, -9.81]\n";
+    let folder = written("samples", &tree(), more);
+    let flags =
+        ["arm.toml", "--sample-time", "0.001", "--reference", "0.3,0,0.2*t,0,-0.1,0", "--x0", X0];
+    let rows = rows(&folder, &flags, 12);
+    let last = rows.last().expect("rows");
+    for (q, wanted) in last[1..7].iter().zip([0.3, 0.0, 0.2, 0.0, -0.1, 0.0]) {
+        assert!((q - wanted).abs() < 1e-3, "{last:?}");
+    }
+}
+
+/// Of one joint without weight the payload changes the inertia alone, from 0.6 to 0.85 kg m^2: the torques move it by
+/// 0.6/0.85 of what the law wants.
+#[test]
+fn a_payload_that_the_law_does_not_know_slows_a_joint() {
+    let joint = Joint {
+        kind: "revolute",
+        parent: 0,
+        origin: [0.1, 0.2, 0.0],
+        angles: [0.3, 0.0, 0.2],
+        axis: [0.0, 0.0, -1.0],
+        mass: 2.0,
+        centre: [0.5, 0.0, 0.0],
+        centre_angles: [0.0; 3],
+        inertia: [0.0, 0.0, 0.1, 0.0, 0.0, 0.0],
+    };
+    let more = "gravity = [0, 0, 0]\n[plant]\npayload = [1, 0, 0.5, 0]\n";
+    let folder = written("payload", &[joint], more);
+    let (law, _) = LAW.split_once("[robot]").expect("a robot");
+    let chain = format!("n = 2\n{law}[plant]\ng = \"0.6/0.85\"\n");
+    fs::write(folder.join("chain.toml"), chain).expect("a file");
+    let run = |design: &str| rows(&folder, &[design, "--x0", "0.5,-0.3"], 2);
+    let (arm, chain) = (run("arm.toml"), run("chain.toml"));
+    assert_eq!(arm.len(), chain.len());
+    // What an integration leaves of the rates grows with 1/T.
+    for (arm, chain) in arm.iter().zip(&chain).filter(|(arm, _)| arm[0] < 0.99) {
+        let off = arm.iter().zip(chain).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-6, "{arm:?}, not {chain:?}");
+    }
+    assert!(chain.iter().any(|row| row[1] > 0.3), "it moves");
+}
