@@ -43,7 +43,7 @@ fn failures(folder: &Path, spec: &Spec) -> u32 {
 /// Controllers of every kind: what is latched, extern, fixed, bounded, single, trusted, iterated.
 fn kinds() -> Vec<Spec> {
     let own = "-psi*xi1/(abs(xi1) - phi*abs(xi1_0))^2";
-    let kinds: [&[(&str, &str)]; 25] = [
+    let kinds: [&[(&str, &str)]; 31] = [
         &[("n", "2"), ("mu", "exp"), ("u_min", "runtime")],
         &[("n", "2"), ("mu", "rational"), ("u_max", "-1"), ("u_min", "-3"), ("poles", "-4,-5")],
         &[("n", "2"), ("mu", "exp"), ("u_min", "-inf"), ("guard", "result"), ("after", "zero")],
@@ -126,6 +126,13 @@ fn kinds() -> Vec<Spec> {
             ("g", "1 + hypot(x1, x2)"),
         ],
         &[("n", "2"), ("mu", "exp"), ("pi0", "-xi1 - sqrt(abs(xi2))"), ("precision", "f32")],
+        // Sums that are 0 at the deadline, in closed forms of kappa and within an iteration.
+        &[("n", "2"), ("mu", "tau*ln(2 - exp(-t))/ln(2)")],
+        &[("n", "3"), ("mu", "tau*((2 - exp(-t))^1.3 - 1)/(2^1.3 - 1)")],
+        &[("n", "2"), ("mu", "tau*(atan(2 - exp(-a*t)) - atan(1))/(atan(2) - atan(1))")],
+        &[("n", "2"), ("mu", "tau*(1 - exp(-t))^1.5"), ("allow", "membership")],
+        &[("n", "2"), ("mu", "tau*sin(1 - exp(-t))/sin(1)")],
+        &[("n", "2"), ("mu", "tau*(exp(t/(1 + t)) - 1)/(exp(1) - 1)"), ("precision", "f32")],
     ];
     let named = |(index, keys): (usize, &&[(&str, &str)])| {
         let name = format!("kind{index}");

@@ -32,6 +32,7 @@ pub(crate) mod sign;
 mod solve;
 #[cfg(test)]
 pub(crate) mod testing;
+pub(crate) mod vanishing;
 mod walk;
 
 pub(crate) use arithmetic::power_bits;

@@ -8,6 +8,7 @@ use super::taylor::{Point, Series};
 use crate::algebra::{BigRational, integer};
 use crate::expansion::Expanded;
 use crate::expansion::bell::factorials;
+use crate::expression::vanishing::vanishing;
 use crate::expression::{Expression, Function, Subject, Variable};
 use crate::family::Family;
 use crate::mapping::{Form, Kappa, TimeMapping, time};
@@ -64,7 +65,10 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
 fn of_closed_forms(b: &mut Builder<'_>, form: &Form, r: &[Expression]) -> Taylor {
     let (stretched, values): (_, Vec<_>) = match form {
         Form::Kappa(kappa) => {
-            (b.scalar(&kappa.form), r.iter().map(|r| Coefficient::Value(b.scalar(r))).collect())
+            let stretched = b.scalar(&vanishing(&kappa.form, Variable::TimeToGo));
+            let values =
+                r.iter().map(|r| Coefficient::Value(b.scalar(&vanishing(r, Variable::TimeToGo))));
+            (stretched, values.collect())
         }
         Form::Complement(form) => {
             let stretched = if b.is_at_start() { None } else { Some(stretched_time(b, form)) };
@@ -105,8 +109,8 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
     let series = Series { offset: None, scale, terms: leading_terms(n, 1, -1) };
     let own = series.terms.clone();
     let point = Point::of(Variable::TimeToGo, series);
-    let stretched = b.scalar(&kappa.form);
-    let rate = b.series(&kappa.rate, &point);
+    let stretched = b.scalar(&vanishing(&kappa.form, Variable::TimeToGo));
+    let rate = b.series(&vanishing(&kappa.rate, Variable::TimeToGo), &point);
     let (unit, rate) = b.leading(rate);
     let unit = b.name(unit, "unit", "r1/T");
     let first = b.product(&own, &rate);
@@ -129,6 +133,7 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
 /// From the complement c(t) = tau - mu(t). At the stretched time c is the time-to-go, so where c is
 /// one scale times exact terms, the scale is known without that time.
 fn of_complement(b: &mut Builder<'_>, form: &Expression) -> Taylor {
+    let form = &vanishing(form, Variable::SinceStart);
     let stretched = match (b.is_at_start(), b.followed()) {
         (true, _) => None,
         (false, Some(_)) => Some(b.since_start()),
@@ -182,6 +187,7 @@ fn ratios(b: &mut Builder<'_>, terms: &[Coefficient]) -> Vec<Coefficient> {
 
 /// Stretched time: the root y of ln(c(y)/T), which decreases, by Newton's method within a bracket.
 fn stretched_time(b: &mut Builder<'_>, form: &Expression) -> Value {
+    let form = &vanishing(form, Variable::SinceStart);
     let target = b.time_to_go();
     let (low, start) = (b.integer(0), b.integer(0));
     let [_, far] = Root::range(b.spec.precision);

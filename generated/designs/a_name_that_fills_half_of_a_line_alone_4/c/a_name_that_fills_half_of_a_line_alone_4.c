@@ -258,11 +258,10 @@ ptc_status a_name_that_fills_half_of_a_line_alone_4_estimate(
         xhat[0] = self->x1_hat;
         xhat[1] = self->x2_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 2U; i++) {
-                xhat[i] = 0.0f;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 2U; i++) {
+            xhat[i] = 0.0f;
         }
     }
     return status;

@@ -201,11 +201,10 @@ ptc_status elastic_estimate(const elastic *self, double xhat[2])
         xhat[0] = self->x1_hat;
         xhat[1] = self->x2_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 2U; i++) {
-                xhat[i] = 0.0;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 2U; i++) {
+            xhat[i] = 0.0;
         }
     }
     return status;

@@ -863,11 +863,10 @@ ptc_status masses_refuse_estimate(const masses_refuse *self, float xhat[2])
         xhat[0] = self->x1_hat;
         xhat[1] = self->x2_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 2U; i++) {
-                xhat[i] = 0.0f;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 2U; i++) {
+            xhat[i] = 0.0f;
         }
     }
     return status;

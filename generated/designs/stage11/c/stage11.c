@@ -331,11 +331,10 @@ ptc_status stage11_estimate(const stage11 *self, float xhat[4])
         xhat[2] = self->x3_hat;
         xhat[3] = self->x4_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 4U; i++) {
-                xhat[i] = 0.0f;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 4U; i++) {
+            xhat[i] = 0.0f;
         }
     }
     return status;

@@ -190,11 +190,10 @@ ptc_status stage14_observer_estimate(const stage14_observer *self, double xhat[3
         xhat[1] = self->x2_hat;
         xhat[2] = self->x3_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 3U; i++) {
-                xhat[i] = 0.0;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 3U; i++) {
+            xhat[i] = 0.0;
         }
     }
     return status;

@@ -177,11 +177,10 @@ ptc_status stage15_observer_estimate(const stage15_observer *self, float xhat[2]
         xhat[0] = self->x1_hat;
         xhat[1] = self->x2_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 2U; i++) {
-                xhat[i] = 0.0f;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 2U; i++) {
+            xhat[i] = 0.0f;
         }
     }
     return status;

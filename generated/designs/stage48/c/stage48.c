@@ -362,11 +362,10 @@ ptc_status stage48_estimate(const stage48 *self, double xhat[3])
         xhat[1] = self->x2_hat;
         xhat[2] = self->x3_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 3U; i++) {
-                xhat[i] = 0.0;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 3U; i++) {
+            xhat[i] = 0.0;
         }
     }
     return status;

@@ -211,11 +211,10 @@ ptc_status stage6_estimate(const stage6 *self, double xhat[2])
         xhat[0] = self->x2_hat;
         xhat[1] = self->x3_hat;
         status = PTC_OK;
-    } else {
-        if (xhat != NULL) {
-            for (uint32_t i = 0U; i < 2U; i++) {
-                xhat[i] = 0.0;
-            }
+    }
+    if ((status < PTC_OK) && (xhat != NULL)) {
+        for (uint32_t i = 0U; i < 2U; i++) {
+            xhat[i] = 0.0;
         }
     }
     return status;

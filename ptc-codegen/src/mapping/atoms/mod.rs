@@ -15,6 +15,7 @@ use crate::algebra::{Kind, Monomial, Poly, Symbol, integer};
 use crate::collect::set;
 use crate::expression::effort::bounded;
 use crate::expression::generator::{Clock, GENERATOR, Generated, common, generator};
+use crate::expression::vanishing::vanishing;
 use crate::expression::{Expression, Function, Node, Subject, Variable, normal};
 use crate::limits::ATOMS;
 
@@ -174,6 +175,10 @@ fn closure(
     let names = set(polys.flat_map(Poly::symbols));
     for symbol in names.into_iter().filter(|s| s.kind == Kind::Kernel) {
         values.push((symbol, generated.name(symbol)?));
+    }
+    for (_, value) in &mut values {
+        let v = [Variable::TimeToGo, Variable::SinceStart].into_iter().find(|v| value.contains(*v));
+        *value = v.map_or_else(|| value.clone(), |v| vanishing(value, v));
     }
     Some(Atoms { ring, values })
 }

@@ -145,7 +145,8 @@ impl C<'_> {
             }
             self.out.close("}");
         }
-        if function.finish != Finish::Stands && !function.failures.is_empty() {
+        let fails = function.guarded || !function.failures.is_empty();
+        if fails && function.finish != Finish::Stands {
             self.clear_lists(function);
         }
         self.out.line("return status;");
