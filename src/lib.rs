@@ -112,6 +112,7 @@ pub use error::Error;
 /// | `input` | name of the input of the model | a name | |
 /// | `output` | output of the model that is brought to 0: x1 | an expression in the states | |
 /// | `dynamics` | rate of each state of the model | an expression for each state, affine in the input: a list in their order, or in a design file `{ state = "rate" }` | |
+/// | `let` | intermediate values of the model, which later ones and its expressions use | `{ name = "expression" }` | |
 /// | `inputs` | names of the inputs of a model with several | a list of names | |
 /// | `outputs` | outputs of a model with several inputs, which are brought to 0 | an expression in the states for each input, at most 3 | |
 /// | `inertia` | matrix M(q) of a mechanical model M q'' + bias = u, whose states are q and then q' | a row for each input, of an expression in q for each input | |

@@ -15,16 +15,25 @@ use super::{Expression, Found, Function, Node, Variable};
 /// The same function of `v`, each part that falls to 0 at the deadline formed from what falls with it: `v` is the
 /// time-to-go T > 0, or stretched time, which grows without bound. Parameters are taken as positive.
 pub(crate) fn vanishing(form: &Expression, v: Variable) -> Expression {
-    let forms =
-        Forms { ends: AtDeadline::of(v), kept: Found::default(), differences: Found::default() };
+    let forms = Forms {
+        ends: AtDeadline::of(v),
+        kept: Found::default(),
+        differences: Found::default(),
+        rewritten: 0,
+    };
     within(Some(bounded(|| { forms }.kept(form))), form)
 }
+
+/// The order to which a sum may be 0.
+const MOST: usize = 6;
 
 /// The forms of what was met so far.
 struct Forms {
     ends: AtDeadline,
     kept: Found<Expression>,
     differences: Found<Option<Expression>>,
+    /// Number of forms of forms within which this one is looked for.
+    rewritten: usize,
 }
 
 impl Forms {
@@ -75,18 +84,25 @@ impl Forms {
     /// A difference whose terms are collected by what falls to 0 in them, as the rest may fall to 0 too: 4 d x - 2 d
     /// is 4 d (x - 1/2).
     fn collected(&mut self, difference: Expression) -> Expression {
-        let Some(groups) = grouped(&difference, &mut |e| self.ends.vanishes(e)) else {
-            return difference;
-        };
+        let groups = grouped(&difference, &mut |e| self.ends.vanishes(e));
+        let Some(groups) = groups.filter(|_| self.rewritten < MOST) else { return difference };
+        self.rewritten += 1;
         let parts = groups.into_iter().map(|(factor, rest)| factor.mul(self.kept(&rest)));
-        parts.reduce(Expression::add).unwrap_or(difference)
+        let sum = parts.reduce(Expression::add).unwrap_or(difference);
+        self.rewritten -= 1;
+        sum
     }
 
     /// The normal form of the difference where that is no sum: t/(1 + t) - 1 is -1/(1 + t).
     fn normal_difference(&mut self, e: &Expression) -> Option<Expression> {
         let end = self.ends.value(e)?;
         let form = normal(&e.clone().sub(end));
-        (!self.cancels(&form)).then(|| self.kept(&form))
+        (!self.cancels(&form) && self.rewritten < MOST).then(|| {
+            self.rewritten += 1;
+            let kept = self.kept(&form);
+            self.rewritten -= 1;
+            kept
+        })
     }
 }
 
