@@ -77,7 +77,7 @@ pub mod program;
 pub mod reference;
 #[doc(hidden)]
 pub mod request;
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 #[doc(hidden)]
 pub mod robot;
 #[doc(hidden)]

@@ -8,7 +8,7 @@ mod intermediate;
 mod lie;
 pub(crate) mod zeros;
 
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 pub(crate) use coupled::arm;
 pub use coupled::{Arm, Coupled, Inverse, Output};
 pub use intermediate::Intermediates;

@@ -38,16 +38,18 @@ pub use observer::{Gate, Lasting, Observer, Round, Stationary};
 pub use poles::{Pole, PoleError, gains};
 pub(crate) use promises::exact_one_or_each;
 pub use promises::{PlantBounds, Promises, Resonance, one_or_each};
+#[cfg(feature = "cli")]
+pub(crate) use read::asks_for_functions;
 pub(crate) use read::derivatives;
 #[cfg(feature = "simulate")]
 pub use read::read_run;
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 pub(crate) use read::values::{LONGEST_NAME, chosen, hyphenated, named};
 pub use read::{Entry, read};
 pub(crate) use read::{NO_TIP, payload_of};
-#[cfg(feature = "files")]
-pub(crate) use read::{asks_for_functions, robot_of, robot_source};
 pub(crate) use read::{items, known, meant, state_name};
+#[cfg(feature = "urdf")]
+pub(crate) use read::{robot_of, robot_source};
 pub use reference::Reference;
 pub use sampled::{DelayLaw, Exact, Exponents, Sampled};
 pub use spec::Spec;

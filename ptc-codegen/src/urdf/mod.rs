@@ -5,17 +5,17 @@
 //! those about the origin of its frame.
 
 // The macro reads no files, and leaves unused what only their reader needs.
-#[cfg_attr(not(feature = "files"), allow(dead_code))]
+#[cfg_attr(not(feature = "urdf"), allow(dead_code))]
 mod angle;
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 mod document;
-#[cfg_attr(not(feature = "files"), allow(dead_code))]
+#[cfg_attr(not(feature = "urdf"), allow(dead_code))]
 mod geometry;
-#[cfg_attr(not(feature = "files"), allow(dead_code))]
+#[cfg_attr(not(feature = "urdf"), allow(dead_code))]
 mod inertia;
 mod payload;
 mod source;
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 mod tree;
 
 pub use geometry::{Matrix, Placement, Vector};
@@ -25,7 +25,7 @@ pub(crate) use source::payload_text;
 pub use source::{Ends, Source};
 
 use crate::algebra::BigRational;
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 use document::Document;
 
 /// A mistake in a URDF file.
@@ -39,7 +39,7 @@ pub struct Wrong {
     pub help: String,
 }
 
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 impl Wrong {
     fn whole(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), help: help.into() }
@@ -116,7 +116,7 @@ impl Robot {
 /// # Errors
 /// The first mistake: XML that is not well-formed, an element without what it needs, a number that is not one, links
 /// that joints do not connect to one tree, or a joint of a kind that is not supported.
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 pub fn read(text: &str, ends: &Ends) -> Result<Robot, Wrong> {
     let document = Document::read(text)?;
     tree::robot(&document, ends)

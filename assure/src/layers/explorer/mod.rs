@@ -47,8 +47,8 @@ const PLAYWRIGHT: &str = "playwright==1.65.2";
 /// Languages with a tab.
 const LANGUAGES: [&str; 7] = ["c", "rust", "cpp", "matlab", "python", "st", "plcopen"];
 
-/// Most bytes of the page when it is compressed by gzip.
-const BYTES: usize = 1_000_000;
+/// Most bytes of the page when it is compressed by gzip: one MiB.
+const BYTES: usize = 1 << 20;
 
 /// Most milliseconds to the first answer, and those that a processor works for it. Another gate may keep the other
 /// processor busy meanwhile, which doubles the first, and adds a third to the second.

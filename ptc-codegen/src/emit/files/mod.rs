@@ -18,6 +18,8 @@ mod outline;
 mod plcopen;
 mod project;
 mod python;
+#[cfg(feature = "urdf")]
+mod robot;
 mod rust;
 mod selftest;
 mod st;
@@ -28,8 +30,10 @@ pub use head::coupled;
 pub use language::Language;
 use language::{Print, Target};
 pub use project::Project;
+#[cfg(feature = "urdf")]
+pub use robot::emit_robot;
 
-use super::code::{block, gives, short, text};
+use super::code::{block, gives, text};
 use super::declared::declared;
 use super::{declared, in_samples, in_time, tidy};
 use crate::check::examine::Report;
@@ -40,9 +44,7 @@ use crate::internal::fault;
 use crate::parameter::Parameter;
 use crate::program::{Program, digits};
 use crate::request::{After, Feedback, Late, Spec, What};
-use crate::robot::Request;
 use crate::selftest::SelfTest;
-use crate::urdf::Robot;
 
 /// A generated file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -178,47 +180,6 @@ pub fn emit_sampled(report: &Report, language: Language) -> Result<Vec<File>, Ve
     accepts(language.target(), &report.spec, None)?;
     printed(language, report, |language| program_in_samples(report, language))
 }
-
-/// The source files of the functions of a robot in `language`.
-///
-/// # Errors
-/// A language in which they are not printed, a feature that it cannot express, and a name that is one of its words.
-pub fn emit_robot(
-    request: &Request,
-    robot: &Robot,
-    language: Language,
-) -> Result<Vec<File>, Vec<Diagnostic>> {
-    let mut found = Diagnostics::default();
-    let target = language.target();
-    let print = match &target.print {
-        Print::Program(print) if ROBOT_LANGUAGES.contains(&language) => *print,
-        _ => {
-            let names = ROBOT_LANGUAGES.map(Language::name).join(", ");
-            let message = format!("the functions of a robot are not printed in {}", target.name);
-            found.push("unsupported", "what", None, message, format!("emit one of {names}"));
-            return found.finish(None);
-        }
-    };
-    if request.fma && language == Language::Python {
-        let help = "leave `fma` out, or emit c, cpp or rust";
-        found.push("unsupported", "fma", None, "python has no fused multiply-add", help);
-    }
-    let name = request.name(robot);
-    if (target.is_word)(&name) {
-        let message = format!("{name} has a meaning of its own in {}", target.name);
-        found.push("reserved-name", "name", None, message, "give it another name, for example arm");
-    }
-    if !found.is_empty() {
-        return found.finish(None);
-    }
-    let mut code = short(crate::robot::code(request, robot));
-    code.head = head::lines_of_robot(request, robot, language);
-    found.finish(Some(print(&code)))
-}
-
-/// The languages in which the functions of a robot are printed.
-const ROBOT_LANGUAGES: [Language; 4] =
-    [Language::C, Language::Cpp, Language::Rust, Language::Python];
 
 /// Notes that a language, called `name`, has no fused multiply-add.
 fn refuse_fma(spec: &Spec, name: &str, found: &mut Diagnostics) {

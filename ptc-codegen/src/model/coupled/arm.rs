@@ -1,8 +1,11 @@
 //! A robot as a plant: its joints, moved by torques that inverse dynamics gives.
 
-use super::{Coupled, Inverse, Output};
+use super::Output;
+#[cfg(feature = "urdf")]
+use super::{Coupled, Inverse};
 use crate::algebra::BigRational;
 use crate::expression::{Expression, Variable};
+#[cfg(feature = "urdf")]
 use crate::parameter::Name;
 use crate::urdf::{Body, Motion, Payload, Robot, Source, payload_text, plain};
 
@@ -16,7 +19,7 @@ pub struct Arm {
 }
 
 /// Names of the states, positions and then velocities, and of the inputs of a robot with `joints`.
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 pub(crate) fn names(joints: usize) -> Option<(Vec<Name>, Vec<Name>)> {
     let numbered = |stem: &str| -> Option<Vec<Name>> {
         (1..=joints).map(|j| Name::new(&format!("{stem}{j}"))).collect()
@@ -77,7 +80,7 @@ fn joint(j: usize, body: &Body) -> String {
     format!("q{j}, dq{j}, torque{j}: {kind} joint {} ({units})", plain(&body.joint))
 }
 
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 impl Coupled {
     /// The plant whose outputs are the positions of the joints of a robot.
     pub(crate) fn of_arm((states, inputs): (Vec<Name>, Vec<Name>), arm: Arm) -> Self {

@@ -17,6 +17,8 @@ mod robot;
 mod sampled;
 mod spec;
 mod units;
+#[cfg(feature = "urdf")]
+mod urdf;
 pub(super) mod values;
 
 pub(crate) use entries::meant;
@@ -24,8 +26,10 @@ pub(crate) use model::state_name;
 pub(crate) use parameters::known;
 pub(crate) use reference::derivatives;
 pub(crate) use robot::{NO_TIP, payload_of};
-#[cfg(feature = "files")]
-pub(crate) use robot::{asks_for_functions, robot_of, robot_source};
+#[cfg(feature = "cli")]
+pub(crate) use urdf::asks_for_functions;
+#[cfg(feature = "urdf")]
+pub(crate) use urdf::{robot_of, robot_source};
 pub(crate) use values::items;
 
 use std::collections::BTreeMap;

@@ -1,6 +1,4 @@
-//! The keys of a robot: where it comes from, and whether a design is of its controller or of functions alone.
-
-use num_traits::Zero;
+//! The keys of a robot, and whether a design is of its controller or of functions alone.
 
 use super::values::hyphenated;
 use super::{Entry, Reader, items};
@@ -8,10 +6,8 @@ use crate::algebra::BigRational;
 use crate::diagnostic::Diagnostics;
 use crate::keys::ROBOT_FUNCTIONS;
 use crate::parameter::Fixed;
-use crate::syntax::{Node, Value, number};
-#[cfg(feature = "files")]
-use crate::urdf::{self, Robot};
-use crate::urdf::{Ends, Payload, Source};
+use crate::syntax::{Node, Value};
+use crate::urdf::Payload;
 
 impl Reader<'_> {
     /// Returns true if a design asks for functions of a robot, and refuses it: only `emit` knows them.
@@ -45,63 +41,9 @@ impl Reader<'_> {
     }
 }
 
-/// The values of `what` that are no functions of a robot.
-#[cfg(feature = "files")]
-const CONTROLLERS: [&str; 4] = ["controller", "associated", "observer", "filter"];
-
 /// The first value of `what`.
-fn asked_for(entry: &Entry) -> String {
+pub(super) fn asked_for(entry: &Entry) -> String {
     items(&entry.value).first().map(hyphenated).unwrap_or_default()
-}
-
-/// Returns true if entries ask for functions of a robot, and not for its controller.
-#[cfg(feature = "files")]
-pub(crate) fn asks_for_functions(entries: &[Entry]) -> bool {
-    let given = |key: &str| entries.iter().find(|entry| entry.key == key);
-    let of_controller = |entry: &Entry| CONTROLLERS.contains(&asked_for(entry).as_str());
-    given("urdf").is_some() && given("what").is_some_and(|entry| !of_controller(entry))
-}
-
-/// Reads where a robot comes from.
-pub(crate) fn robot_source<'a>(
-    value: &dyn Fn(&str) -> Option<&'a Node>,
-    found: &mut Diagnostics,
-) -> Option<Source> {
-    let urdf = value("urdf")?;
-    let path = urdf.value.to_string();
-    if path.is_empty() {
-        let help = "give the path of a URDF file";
-        found.push("bad-value", "urdf", Some(urdf.place), "urdf is empty", help);
-    }
-    let base = value("base").map(|node| node.value.to_string());
-    let tips = value("tip").map(names).unwrap_or_default();
-    let (gravity, payload) = (gravity(value("gravity"), found), payload(value("payload"), found));
-    let (gravity, payload) = (gravity?, payload?);
-    Some(Source { urdf: path, ends: Ends { base, tips }, gravity, payload })
-}
-
-fn gravity(node: Option<&Node>, found: &mut Diagnostics) -> Option<[BigRational; 3]> {
-    let Some(node) = node else {
-        let down = number("-9.81").and_then(|own| own.number().cloned())?;
-        return Some([BigRational::zero(), BigRational::zero(), down]);
-    };
-    let numbers: Option<Vec<BigRational>> = match &node.value {
-        Value::List(items) => items.iter().map(known).collect(),
-        _ => None,
-    };
-    let vector = numbers.and_then(|own| <[BigRational; 3]>::try_from(own).ok());
-    if vector.is_none() {
-        let message = format!("gravity = {}", node.value);
-        let help =
-            "give three numbers in m/s^2 along the axes of the base, for example 0, 0, -9.81";
-        found.push("bad-value", "gravity", Some(node.place), message, help);
-    }
-    vector
-}
-
-/// The payload, if there is one; `None` if it cannot be read.
-fn payload(node: Option<&Node>, found: &mut Diagnostics) -> Option<Option<Payload>> {
-    node.map(|node| payload_of(node, "payload", found)).map_or(Some(None), |own| own.map(Some))
 }
 
 /// The payload that a value is.
@@ -120,66 +62,9 @@ pub(crate) fn payload_of(node: &Node, key: &str, found: &mut Diagnostics) -> Opt
 pub(crate) const NO_TIP: (&str, &str) =
     ("a payload needs one `tip` that moves", "give the link that carries it as `tip`");
 
-/// The names in a list, or in a text with commas.
-fn names(node: &Node) -> Vec<String> {
-    match &node.value {
-        Value::List(items) => items.iter().flat_map(names).collect(),
-        other => other.to_string().split(',').map(|name| name.trim().to_owned()).collect(),
-    }
-}
-
-fn known(node: &Node) -> Option<BigRational> {
+pub(super) fn known(node: &Node) -> Option<BigRational> {
     match &node.value {
         Value::Number(own @ Fixed::Number { .. }) => own.number().cloned(),
         _ => None,
     }
-}
-
-/// The robot of the value of `urdf`; with mass in everything that moves, if it `has_inertia`.
-#[cfg(feature = "files")]
-pub(crate) fn robot_of(
-    node: &Node,
-    source: &Source,
-    has_inertia: bool,
-    found: &mut Diagnostics,
-) -> Option<Robot> {
-    let (path, place) = (&source.urdf, node.place);
-    let text = match &node.value {
-        Value::File(_, Ok(text)) => text,
-        Value::File(_, Err(why)) => {
-            let help = "give a text file that can be read";
-            found.push("bad-value", "urdf", Some(place), why, help);
-            return None;
-        }
-        _ => {
-            let message = format!("{path} has not been read");
-            let help = "use the command `ptc-codegen`, which reads files beside the design";
-            found.push("bad-value", "urdf", Some(place), message, help);
-            return None;
-        }
-    };
-    let robot = match urdf::read(text, &source.ends) {
-        Ok(robot) => robot,
-        Err(wrong) => {
-            let line = wrong.line.map(|line| format!(", line {line}")).unwrap_or_default();
-            let message = format!("{path}{line}: {}", wrong.message);
-            found.push("bad-value", "urdf", Some(place), message, wrong.help);
-            return None;
-        }
-    };
-    if let Some(joint) = robot.without_mass().filter(|_| has_inertia) {
-        let message = format!("{path}: what joint `{joint}` moves has no inertia");
-        let help = "give <inertial> with <mass> and <inertia> to its child link, or to a link that is fixed to it";
-        found.push("bad-value", "urdf", Some(place), message, help);
-        return None;
-    }
-    let carried = match &source.payload {
-        None => Some(robot),
-        Some(payload) => robot.carrying(Some(payload), None),
-    };
-    if carried.is_none() {
-        let (message, help) = NO_TIP;
-        found.push("bad-value", "payload", None, message, help);
-    }
-    carried
 }

@@ -10,6 +10,7 @@ mod formulas;
 mod observed;
 mod plant;
 mod precision;
+#[cfg(feature = "urdf")]
 mod robot;
 mod samples;
 mod time;
@@ -17,6 +18,7 @@ mod time;
 pub(super) use axes::have_own;
 pub(super) use formulas::{law, mapping};
 pub(super) use plant::{chain, in_samples as plant_in_samples};
+#[cfg(feature = "urdf")]
 pub(super) use robot::lines as lines_of_robot;
 #[cfg(feature = "lab")]
 pub(super) use samples::law as law_in_samples;

@@ -1,14 +1,14 @@
 //! A robot from its URDF as the plant of a controller.
 
 use super::super::Reader;
-#[cfg(feature = "files")]
-use super::super::robot::{robot_of, robot_source};
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
+use super::super::urdf::{robot_of, robot_source};
+#[cfg(feature = "urdf")]
 use crate::diagnostic::counted;
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 use crate::limits::INPUTS;
 use crate::model::Coupled;
-#[cfg(feature = "files")]
+#[cfg(feature = "urdf")]
 use crate::model::{Arm, arm};
 
 /// The key of the file.
@@ -37,7 +37,7 @@ impl Reader<'_> {
     }
 
     /// The plant of the joints of a robot; `None` if it cannot be read.
-    #[cfg(feature = "files")]
+    #[cfg(feature = "urdf")]
     pub(super) fn robot(&mut self) -> Option<Coupled> {
         self.robot_alone()?;
         let (keys, node) = (&self.keys, *self.keys.get(URDF)?);
@@ -58,7 +58,7 @@ impl Reader<'_> {
     }
 
     /// Refuses a robot where no files are read.
-    #[cfg(not(feature = "files"))]
+    #[cfg(not(feature = "urdf"))]
     pub(super) fn robot(&mut self) -> Option<Coupled> {
         self.robot_alone()?;
         let place = self.keys.get(URDF).map(|node| node.place);
