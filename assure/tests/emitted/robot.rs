@@ -12,7 +12,7 @@ use ptc_codegen::emit::{Language, emit_robot};
 use ptc_codegen::parameter::Precision;
 use ptc_codegen::request::Entry;
 use ptc_codegen::robot::{self, Request, code};
-use ptc_codegen::syntax::parse;
+use ptc_codegen::syntax::{Value, parse};
 use ptc_codegen::urdf::Robot;
 use support::folder;
 use support::sampled::python_with;
@@ -48,8 +48,10 @@ fn reference(precision: &str) -> (Request, Robot, Vec<f64>) {
         place: Place(0),
         value: parse(key, text, &mut |_| Place(0)).expect("a value"),
     };
-    let request = robot::read(&pairs.map(entry)).expect("a request");
-    let robot = request.robot(ARM).expect("a robot");
+    let mut entries = pairs.map(entry);
+    entries[0].value.value = Value::File("arm.urdf".to_owned(), Ok(ARM.into()));
+    let request = robot::read(&entries).expect("a request");
+    let robot = request.robot().expect("a robot");
     let mut arm = Instance::new(&code(&request, &robot), &[]).expect("no parameters");
     let given = [("q", Q.as_slice()), ("v", V.as_slice()), ("a", A.as_slice())];
     let mut all = arm.call("inverse_dynamics", &given).results["torque"].clone();
