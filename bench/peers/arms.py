@@ -11,33 +11,24 @@ by hand is a recursion over the links, straight-line, with the same law. All are
 counted by callgrind in one call, with the library's functions.
 """
 
-import re
 import subprocess
 import sys
 from math import cos
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-TAU, TIME, GRAVITY = 2.0, 0.5, 9.81
+import counted
+from counted import TAU, TIME
+
+GRAVITY = 9.81
 
 
 def design(n, model):
     joints = range(1, n + 1)
     names = ", ".join([f'"q{i}"' for i in joints] + [f'"w{i}"' for i in joints])
     inputs = ", ".join(f'"M{i}"' for i in joints)
-    return f"""name = "arm{n}"
-mu = "exp(a=1)"
-poles = [-3, -4]
-u_max = inf
-guard = "none"
-[params]
-tau = {TAU}
-eps = 0.02
-t0 = 0
-[model]
-states = [{names}]
-inputs = [{inputs}]
-{model}"""
+    head = f"states = [{names}]\ninputs = [{inputs}]\n"
+    return counted.design(f"arm{n}", [-3, -4], head + model)
 
 
 def listed(rows):
@@ -166,20 +157,12 @@ int main(void) {{
 def count(command, n, model, folder):
     """Instructions of ours and of the function by hand, and the largest difference relative to the largest u."""
     (folder / "design.toml").write_text(design(n, model))
-    run = lambda *words: subprocess.run(words, cwd=folder, capture_output=True, text=True, check=True).stdout
     emitted = subprocess.run([command, "emit", "design.toml", "--lang", "c"], cwd=folder, capture_output=True, text=True)
     if emitted.returncode:
         return None
-    (folder / "hand.c").write_text(hand(n))
-    (folder / "main.c").write_text(driver(n))
-    run("gcc", "-std=c99", "-O2", "-Wl,-z,now", f"arm{n}.c", "hand.c", "main.c", "-lm", "-o", "run")
-    pairs = [tuple(map(float, line.split())) for line in run("./run").splitlines()]
-    run("valgrind", "--tool=callgrind", "--callgrind-out-file=counts", "./run")
-    shown = run("callgrind_annotate", "--inclusive=yes", "--threshold=100", "counts")
-    of = lambda name: int(re.search(rf"^ *([\d,]+) .*:{name}\b", shown, re.M)[1].replace(",", ""))
-    largest = max(abs(theirs) for _, theirs in pairs)
-    difference = max(abs(ours - theirs) for ours, theirs in pairs) / largest
-    return of(f"arm{n}_step"), of("hand"), difference
+    ours, theirs, pairs = counted.counted(folder, f"arm{n}", hand(n), driver(n))
+    largest = max(abs(by_hand) for _, by_hand in pairs)
+    return ours, theirs, max(abs(u - by_hand) for u, by_hand in pairs) / largest
 
 
 def main():

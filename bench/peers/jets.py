@@ -16,7 +16,8 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-TAU, TIME = 2.0, 0.5
+import counted
+from counted import TAU, TIME
 
 
 def design(r):
@@ -24,22 +25,8 @@ def design(r):
     names = ", ".join(f'"z{i}"' for i in states)
     after = {i: f"z{i + 1}" for i in states} | {r: "u"}
     rates = ", ".join(f'z{i} = "{after[i]} + 0.3*sin(z{i})*z1"' for i in states)
-    poles = ", ".join(str(-(r + i)) for i in states)
-    return f"""name = "chain{r}"
-mu = "exp(a=1)"
-poles = [{poles}]
-u_max = inf
-guard = "none"
-[params]
-tau = {TAU}
-eps = 0.02
-t0 = 0
-[model]
-states = [{names}]
-input = "u"
-output = "z1"
-dynamics = {{ {rates} }}
-"""
+    model = f'states = [{names}]\ninput = "u"\noutput = "z1"\ndynamics = {{ {rates} }}\n'
+    return counted.design(f"chain{r}", [-(r + i) for i in states], model)
 
 
 def rows(command, file):
@@ -106,17 +93,10 @@ int main(void) {{
 def count(command, r, folder):
     """Instructions of ours and of the hand-written step, and the relative difference of u."""
     (folder / "design.toml").write_text(design(r))
-    run = lambda *words: subprocess.run(words, cwd=folder, capture_output=True, text=True, check=True).stdout
-    run(command, "emit", "design.toml", "--lang", "c", "-o", str(folder))
-    (folder / "hand.c").write_text(hand(r, rows(command, folder / "design.toml")))
-    (folder / "main.c").write_text(driver(r))
-    # Without lazy binding, which the first call of a function would take some hundred instructions for.
-    run("gcc", "-std=c99", "-O2", "-Wl,-z,now", f"chain{r}.c", "hand.c", "main.c", "-lm", "-o", "run")
-    ours, theirs = map(float, run("./run").split())
-    run("valgrind", "--tool=callgrind", "--callgrind-out-file=counts", "./run")
-    listed = run("callgrind_annotate", "--inclusive=yes", "--threshold=100", "counts")
-    of = lambda name: int(re.search(rf"^ *([\d,]+) .*:{name}\b", listed, re.M)[1].replace(",", ""))
-    return of(f"chain{r}_step"), of("hand"), abs(ours - theirs) / abs(theirs)
+    counted.run(folder, command, "emit", "design.toml", "--lang", "c", "-o", str(folder))
+    by_hand = hand(r, rows(command, folder / "design.toml"))
+    ours, theirs, [(u, other)] = counted.counted(folder, f"chain{r}", by_hand, driver(r))
+    return ours, theirs, abs(u - other) / abs(other)
 
 
 def main():

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::values::uncertain;
 
-/// Changes of the plant that the page asks for.
+/// Changes of the plant, as the page sends them.
 pub(super) struct Trial {
     /// Input gain in parts of that of the plant.
     pub(super) gain: f64,

@@ -14,7 +14,7 @@ use crate::request::{Reference, Spec};
 /// Name of the check.
 pub(crate) const NAME: &str = "zeros";
 
-/// What is said of a robot.
+/// Limits of the verdict on a robot.
 const OF_ROBOT: &str = "the plant is taken to be the rigid bodies of the URDF: friction, rotors, springs and limits of positions are not looked at";
 
 /// The values of the parameters that are fixed.

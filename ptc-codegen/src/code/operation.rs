@@ -39,7 +39,7 @@ impl Expr {
 
 /// The expressions of the values of a program, as they become known.
 pub(crate) struct Written {
-    /// How many times each value is written.
+    /// Number of times that each value is written.
     uses: BTreeMap<Value, usize>,
     known: BTreeMap<Value, Expr>,
 }

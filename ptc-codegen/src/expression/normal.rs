@@ -56,6 +56,18 @@ pub(super) fn within(form: Option<Expression>, plain: &Expression) -> Expression
     form.filter(|form| form.size() <= most).unwrap_or_else(|| plain.clone())
 }
 
+/// An expression as c ln b: b, of those that `is_base` admits, and c in its normal form.
+pub(crate) fn as_logarithm(
+    expression: &Expression,
+    is_base: &dyn Fn(&Expression) -> bool,
+) -> Option<(Expression, Expression)> {
+    let (logarithm, base) = expression.first(&mut |e| match e.node() {
+        Node::Call(Function::Ln, base) if is_base(base) => Some((e.clone(), base.clone())),
+        _ => None,
+    })?;
+    Some((base, normal(&expression.clone().div(logarithm))))
+}
+
 /// Inverse hyperbolic functions by logarithms, in which 1 - s is formed before it is rounded.
 fn logarithmic(expression: &Expression) -> Expression {
     expression.substitute(&|e| match e.node() {

@@ -39,7 +39,7 @@ pub(super) struct Taylor {
 pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
     let spec = b.spec;
     if let Some(complement) = b.followed().cloned() {
-        return of_complement(b, &complement);
+        return of_complement(b, &vanishing(&complement, Variable::SinceStart));
     }
     match &spec.time_mapping {
         TimeMapping::Family { family: Family::ExpSum, .. } => exp_sum::taylor(b),
@@ -52,11 +52,11 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
             }
             _ => of_kappa(b, &Kappa::of(*family)),
         },
-        TimeMapping::Custom(custom) => match (&custom.form, b.expanded) {
+        TimeMapping::Custom(custom) => match (custom.form.kept(), b.expanded) {
             // They are of one order; an output of a higher one takes the series.
-            (form, Some(Expanded::Custom(r))) if r.len() >= spec.n => of_closed_forms(b, form, r),
-            (Form::Complement(form), _) => of_complement(b, form),
-            (Form::Kappa(kappa), _) => of_kappa(b, kappa),
+            (form, Some(Expanded::Custom(r))) if r.len() >= spec.n => of_closed_forms(b, &form, r),
+            (Form::Complement(form), _) => of_complement(b, &form),
+            (Form::Kappa(kappa), _) => of_kappa(b, &kappa),
         },
     }
 }
@@ -65,7 +65,7 @@ pub(super) fn taylor(b: &mut Builder<'_>) -> Taylor {
 fn of_closed_forms(b: &mut Builder<'_>, form: &Form, r: &[Expression]) -> Taylor {
     let (stretched, values): (_, Vec<_>) = match form {
         Form::Kappa(kappa) => {
-            let stretched = b.scalar(&vanishing(&kappa.form, Variable::TimeToGo));
+            let stretched = b.scalar(&kappa.form);
             let values =
                 r.iter().map(|r| Coefficient::Value(b.scalar(&vanishing(r, Variable::TimeToGo))));
             (stretched, values.collect())
@@ -109,8 +109,8 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
     let series = Series { offset: None, scale, terms: leading_terms(n, 1, -1) };
     let own = series.terms.clone();
     let point = Point::of(Variable::TimeToGo, series);
-    let stretched = b.scalar(&vanishing(&kappa.form, Variable::TimeToGo));
-    let rate = b.series(&vanishing(&kappa.rate, Variable::TimeToGo), &point);
+    let stretched = b.scalar(&kappa.form);
+    let rate = b.series(&kappa.rate, &point);
     let (unit, rate) = b.leading(rate);
     let unit = b.name(unit, "unit", "r1/T");
     let first = b.product(&own, &rate);
@@ -133,7 +133,6 @@ fn of_kappa(b: &mut Builder<'_>, kappa: &Kappa) -> Taylor {
 /// From the complement c(t) = tau - mu(t). At the stretched time c is the time-to-go, so where c is
 /// one scale times exact terms, the scale is known without that time.
 fn of_complement(b: &mut Builder<'_>, form: &Expression) -> Taylor {
-    let form = &vanishing(form, Variable::SinceStart);
     let stretched = match (b.is_at_start(), b.followed()) {
         (true, _) => None,
         (false, Some(_)) => Some(b.since_start()),
@@ -187,7 +186,6 @@ fn ratios(b: &mut Builder<'_>, terms: &[Coefficient]) -> Vec<Coefficient> {
 
 /// Stretched time: the root y of ln(c(y)/T), which decreases, by Newton's method within a bracket.
 fn stretched_time(b: &mut Builder<'_>, form: &Expression) -> Value {
-    let form = &vanishing(form, Variable::SinceStart);
     let target = b.time_to_go();
     let (low, start) = (b.integer(0), b.integer(0));
     let [_, far] = Root::range(b.spec.precision);

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::expression::decaying::decaying;
 use crate::expression::effort::{bounded, completed};
 use crate::expression::leading::{Decay, Limit};
+use crate::expression::vanishing::vanishing;
 use crate::expression::{
     Expression, Function, Node, Subject, Variable, leading, normal, solve, unravel,
 };
@@ -59,6 +60,18 @@ impl Form {
                 complement.differentiable()?;
                 Some(Self::Complement(complement))
             }
+        }
+    }
+
+    /// The same form, in which every sum that is 0 at the deadline keeps its digits there.
+    pub(crate) fn kept(&self) -> Self {
+        let in_time_to_go = |e: &Expression| vanishing(e, Variable::TimeToGo);
+        match self {
+            Self::Complement(form) => Self::Complement(vanishing(form, Variable::SinceStart)),
+            Self::Kappa(kappa) => Self::Kappa(Kappa {
+                form: in_time_to_go(&kappa.form),
+                rate: in_time_to_go(&kappa.rate),
+            }),
         }
     }
 

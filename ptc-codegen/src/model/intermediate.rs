@@ -1,5 +1,4 @@
-//! Named intermediate values of a model. In its expressions each is a node that all who use it share; wherever the
-//! model is printed, its name stands in its place.
+//! Named intermediate values of a model. In expressions each is one shared node; a printed model shows its name.
 
 use std::collections::BTreeSet;
 

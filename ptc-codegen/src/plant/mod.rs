@@ -122,9 +122,9 @@ pub struct Plant {
 /// M q'' + bias = u.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Mechanics {
-    /// By expressions.
+    /// Inertia and bias as expressions.
     Equations(Equations),
-    /// Of a robot.
+    /// Rigid bodies of a robot.
     Robot(Box<Arm>),
 }
 

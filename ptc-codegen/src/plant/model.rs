@@ -22,7 +22,7 @@ use crate::syntax::{Argument, Node, Value};
 const DYNAMICS: [&str; 1] = ["dynamics"];
 const MECHANICS: [&str; 2] = ["inertia", "bias"];
 
-/// What may differ of a robot.
+/// The key of the payload, the only part of a robot that may differ.
 const PAYLOAD: &str = "payload";
 
 /// The plant of the controller of `spec`, with all mistakes.

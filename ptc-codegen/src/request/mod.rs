@@ -120,6 +120,16 @@ pub enum What {
     Filter,
 }
 
+impl What {
+    /// All of them, by the names that users write.
+    pub(crate) const NAMES: [(&'static str, Self); 4] = [
+        ("controller", Self::Controller),
+        ("associated", Self::Associated),
+        ("observer", Self::Observer),
+        ("filter", Self::Filter),
+    ];
+}
+
 /// Clock argument of a call of the controller, besides the state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Clock {

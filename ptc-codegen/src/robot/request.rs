@@ -10,7 +10,7 @@ use crate::urdf::{Robot, Source};
 /// Functions of a robot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// Where the robot comes from.
+    /// The source of the robot.
     pub source: Source,
     /// Path of the file with its text.
     pub(super) file: Node,

@@ -1,4 +1,4 @@
-//! Where a robot comes from: its file, the part that is taken, and its gravity.
+//! The source of a robot: its file, the part that is taken, and its gravity.
 
 use super::Payload;
 use crate::algebra::BigRational;
@@ -13,7 +13,7 @@ pub struct Ends {
     pub tips: Vec<String>,
 }
 
-/// What is given of a robot.
+/// Keys of a robot in a design.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     /// Path of the URDF file, as it is given.
@@ -22,7 +22,7 @@ pub struct Source {
     pub ends: Ends,
     /// Acceleration of gravity in the frame of the base, m/s^2.
     pub gravity: [BigRational; 3],
-    /// What the tip carries.
+    /// Body that the tip carries.
     pub payload: Option<Payload>,
 }
 

@@ -121,7 +121,7 @@ fn c_and_rust_give_the_torques_of_inertia_and_bias() {
 }
 
 #[test]
-fn what_a_controller_of_a_robot_lacks_is_refused_by_name() {
+fn robot_controllers_refuse_missing_features_by_name() {
     let folder = folder("refused");
     fs::write(folder.join("arm.urdf"), ARM).expect("writable");
     let text = "mu = \"exp(a=1)\"\npoles = [-3, -4]\n[params]\ntau = 1\nt0 = 0\neps = 0.01\nu_max = inf\n[robot]\nurdf = \"arm.urdf\"\n";

@@ -3,6 +3,7 @@
 //! [`table`] has a row a function. Whoever needs a value, a derivative, a domain, an enclosure, a sign or a
 //! word of a language asks the row, so that two analyses never differ in what a function is.
 
+mod difference;
 mod formula;
 mod several;
 mod slope;
@@ -10,6 +11,7 @@ mod table;
 #[cfg(feature = "files")]
 mod words;
 
+pub(crate) use difference::{Arguments, difference_of_powers};
 pub(crate) use formula::{in_exponentials, in_logarithms};
 pub(crate) use several::OF_TWO;
 pub(crate) use slope::{Algebra, Slope, Symbolic};

@@ -9,7 +9,7 @@ use crate::expression::effort::{ENCLOSED, spend};
 use crate::expression::enclosure::Interval;
 use crate::expression::evaluator::{Evaluator, Existence, Names};
 use crate::expression::leading::{Limit, limit, ordering};
-use crate::expression::normal::normal;
+use crate::expression::normal::{as_logarithm, normal};
 use crate::expression::{Expression, Found, Function, Node, Variable};
 
 /// The unit roundoff of doubles.
@@ -180,17 +180,13 @@ fn call(function: Function, a: Expression) -> Option<Expression> {
 /// outer(inner(a)) without either, wherever that exists.
 fn composed(outer: Function, inner: Function, a: &Expression) -> Option<Expression> {
     use Function as F;
+    if inner.row().inverse == Some(outer) {
+        return Some(a.clone());
+    }
     let one = Expression::integer(1);
     let square = a.clone().power(Expression::integer(2));
     let root = |a| Expression::call(F::Sqrt, a);
     Some(match (outer, inner) {
-        (F::Exp, F::Ln)
-        | (F::Ln, F::Exp)
-        | (F::Tan, F::Atan)
-        | (F::Sin, F::Asin)
-        | (F::Cos, F::Acos)
-        | (F::Tanh, F::Atanh)
-        | (F::Atanh, F::Tanh) => a.clone(),
         (F::Sin, F::Atan) => a.clone().div(root(one.add(square))),
         (F::Cos, F::Atan) => one.clone().div(root(one.add(square))),
         (F::Sin, F::Acos) | (F::Cos, F::Asin) => root(one.sub(square)),
@@ -200,15 +196,8 @@ fn composed(outer: Function, inner: Function, a: &Expression) -> Option<Expressi
 
 /// e^a: b^c where a is c ln b.
 fn exponential(a: Expression) -> Expression {
-    let logarithm = a.first(&mut |e| match e.node() {
-        Node::Call(Function::Ln, base) => Some((e.clone(), base.clone())),
-        _ => None,
-    });
-    if let Some((logarithm, base)) = logarithm {
-        let times = normal(&a.clone().div(logarithm));
-        if times.number().is_some() {
-            return base.power(times);
-        }
+    match as_logarithm(&a, &|_| true) {
+        Some((base, times)) if times.number().is_some() => base.power(times),
+        _ => Expression::call(Function::Exp, a),
     }
-    Expression::call(Function::Exp, a)
 }

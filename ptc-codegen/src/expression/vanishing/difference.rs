@@ -1,14 +1,8 @@
-//! Differences of a function at two arguments, by the difference of the arguments.
-
-use num_traits::ToPrimitive;
+//! An expression less its value at the deadline, operation by operation.
 
 use super::Forms;
-use crate::algebra::BigRational;
-use crate::expression::normal::normal;
+use crate::expression::function::{Arguments, difference_of_powers};
 use crate::expression::{Expression, Function, Node};
-
-/// Exponents, and indices of roots, of which a difference is a sum of products.
-const FACTORED: i64 = 6;
 
 impl Forms {
     pub(super) fn difference_of(&mut self, e: &Expression) -> Option<Expression> {
@@ -34,101 +28,23 @@ impl Forms {
                 };
                 Some(self.difference(a)?.sub(rest).div(self.kept(b)))
             }
-            Node::Power(a, b) => self.difference_of_power(a, b),
-            Node::Call(function, a) => self.difference_of_call(*function, a),
+            Node::Power(a, b) if self.ends.moves(b) => {
+                let exponent = b.clone().mul(Expression::call(Function::Ln, a.clone()));
+                let arguments = (!self.ends.moves(a)).then(|| self.arguments(&exponent))??;
+                Function::Exp.difference(arguments)
+            }
+            Node::Power(a, b) => {
+                let exponent = self.ends.value(b)?;
+                Some(difference_of_powers(&self.arguments(a)?, &exponent))
+            }
+            Node::Call(function, a) => function.difference(self.arguments(a)?),
             _ => None,
         }
     }
 
-    fn difference_of_power(&mut self, a: &Expression, b: &Expression) -> Option<Expression> {
-        let (end_a, end_b) = (self.ends.value(a)?, self.ends.value(b)?);
-        if self.ends.moves(b) {
-            let exponent = b.clone().mul(Expression::call(Function::Ln, a.clone()));
-            return (!self.ends.moves(a))
-                .then(|| self.difference_of_call(Function::Exp, &exponent))?;
-        }
-        let gap = self.difference(a)?;
-        let kept = self.kept(a);
-        if let Some(power) = end_b.number() {
-            let (over, under) = (power.numer().to_i64()?, power.denom().to_i64()?);
-            if over.abs() <= FACTORED && under <= FACTORED {
-                return Some(factored(&gap, [&kept, &end_a], [over, under]));
-            }
-        }
-        // a^p - a0^p = 2 (a a0)^(p/2) sinh(p/2 ln(a/a0)), ln(a/a0) = 2 atanh((a - a0)/(a + a0)).
-        let half = end_b.clone().div(Expression::integer(2));
-        let angle = Expression::call(Function::Atanh, gap.div(kept.clone().add(end_a.clone())));
-        let sinh = Expression::call(Function::Sinh, end_b.mul(angle));
-        let mean = kept.mul(end_a).power(half);
-        Some(Expression::integer(2).mul(mean).mul(sinh))
+    /// An operand and its value at the deadline.
+    fn arguments(&mut self, a: &Expression) -> Option<Arguments> {
+        let (b, gap) = (self.ends.value(a)?, self.difference(a)?);
+        Some(Arguments { a: self.kept(a), b, gap })
     }
-
-    fn difference_of_call(&mut self, function: Function, a: &Expression) -> Option<Expression> {
-        use Function as F;
-        let end = self.ends.value(a)?;
-        let kept = self.kept(a);
-        let gap = self.difference(a)?;
-        let (one, two) = (Expression::integer(1), Expression::integer(2));
-        let half = gap.clone().div(two.clone());
-        let mean = kept.clone().add(end.clone()).div(two.clone());
-        let both = |outer, inner| {
-            let outer = Expression::call(outer, mean.clone());
-            two.clone().mul(outer).mul(Expression::call(inner, half.clone()))
-        };
-        Some(match function {
-            F::Exp => both(F::Exp, F::Sinh),
-            F::Sin => both(F::Cos, F::Sin),
-            F::Cos => both(F::Sin, F::Sin).neg(),
-            F::Sinh => both(F::Cosh, F::Sinh),
-            F::Cosh => both(F::Sinh, F::Sinh),
-            F::Sqrt => factored(&gap, [&kept, &end], [1, 2]),
-            // 2 atanh((a - a0)/(a + a0)).
-            F::Ln => two.mul(Expression::call(F::Atanh, gap.div(kept.add(end)))),
-            F::Tan => {
-                let cosines = Expression::call(F::Cos, kept).mul(Expression::call(F::Cos, end));
-                Expression::call(F::Sin, gap).div(cosines)
-            }
-            F::Tanh => {
-                let product = Expression::call(F::Tanh, kept).mul(Expression::call(F::Tanh, end));
-                Expression::call(F::Tanh, gap).mul(one.sub(product))
-            }
-            F::Atanh => Expression::call(F::Atanh, gap.div(one.sub(kept.mul(end)))),
-            F::Cbrt => {
-                let [root, root_end] = [kept, end].map(|a| Expression::call(F::Cbrt, a));
-                let under = sum_of_products([&root, &root_end], 3);
-                gap.div(under)
-            }
-            F::Abs | F::Sign | F::Atan | F::Asin | F::Acos => return None,
-        })
-    }
-}
-
-/// a^(k/q) - b^(k/q) by A = a^(1/q), B = b^(1/q): A^k - B^k = (a - b)/(A^(q-1) + .. + B^(q-1)) (A^(k-1) + .. + B^(k-1)).
-fn factored(gap: &Expression, [a, b]: [&Expression; 2], [k, q]: [i64; 2]) -> Expression {
-    let root = |a: &Expression| match q {
-        1 => a.clone(),
-        2 => Expression::call(Function::Sqrt, a.clone()),
-        _ => a.clone().power(Expression::from(BigRational::new(1.into(), q.into()))),
-    };
-    let roots = [root(a), normal(&root(b))];
-    let roots = [&roots[0], &roots[1]];
-    let quotient = match q {
-        1 => gap.clone(),
-        _ => gap.clone().div(sum_of_products(roots, q)),
-    };
-    let whole = quotient.mul(sum_of_products(roots, k.abs()));
-    match k.is_negative() {
-        false => whole,
-        // 1/A^k - 1/B^k = -(A^k - B^k)/(A B)^k.
-        true => {
-            whole.neg().div(roots[0].clone().mul(roots[1].clone()).power(Expression::integer(-k)))
-        }
-    }
-}
-
-/// a^(k-1) + a^(k-2) b + .. + b^(k-1).
-fn sum_of_products([a, b]: [&Expression; 2], k: i64) -> Expression {
-    let power = |base: &Expression, k| base.clone().power(Expression::integer(k));
-    let terms = (0..k).map(|j| power(a, k - 1 - j).mul(power(b, j)));
-    terms.reduce(Expression::add).unwrap_or_else(|| Expression::integer(0))
 }

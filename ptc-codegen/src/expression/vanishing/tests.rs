@@ -100,7 +100,7 @@ fn sums_that_do_not_vanish_stay() {
 }
 
 #[test]
-fn the_form_is_the_same_function() {
+fn forms_equal_their_expressions() {
     let mut seed = 7;
     let (mut compared, mut changed) = (0, 0);
     for _ in 0..4000 {

@@ -20,19 +20,10 @@ pub(super) fn inverse(kappa: &Expression, t: Expression) -> Option<Expression> {
 
 /// e^(-rate t) for the stretched time t: a power where that is a logarithm.
 pub(super) fn decay(t: &Expression, rate: &Expression) -> Expression {
-    let mut logarithm = None;
-    t.each(&mut |e| match e.node() {
-        Node::Call(Function::Ln, inner) if inner.contains(Variable::TimeToGo) => {
-            logarithm.get_or_insert((e.clone(), inner.clone()));
-        }
-        _ => {}
-    });
+    let moves = |e: &Expression| e.contains(Variable::TimeToGo);
     let exponent = t.clone().mul(rate.clone()).neg();
-    if let Some((whole, inner)) = logarithm {
-        let power = normal::normal(&exponent.clone().div(whole));
-        if !power.contains(Variable::TimeToGo) {
-            return normal::normal(&inner.power(power));
-        }
+    match normal::as_logarithm(&exponent, &moves) {
+        Some((base, power)) if !moves(&power) => normal::normal(&base.power(power)),
+        _ => normal::normal(&Expression::call(Function::Exp, exponent)),
     }
-    normal::normal(&Expression::call(Function::Exp, exponent))
 }

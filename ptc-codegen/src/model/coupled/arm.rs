@@ -9,10 +9,10 @@ use crate::expression::{Expression, Variable};
 use crate::parameter::Name;
 use crate::urdf::{Body, Motion, Payload, Robot, Source, payload_text, plain};
 
-/// A robot, and where it comes from.
+/// A robot and its source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Arm {
-    /// Where it comes from.
+    /// The file and what was given with it.
     pub source: Source,
     /// Its bodies, with a joint each.
     pub robot: Robot,
@@ -83,7 +83,7 @@ fn joint(j: usize, body: &Body) -> String {
 #[cfg(feature = "urdf")]
 impl Coupled {
     /// The plant whose outputs are the positions of the joints of a robot.
-    pub(crate) fn of_arm((states, inputs): (Vec<Name>, Vec<Name>), arm: Arm) -> Self {
+    pub(crate) fn of_arm(states: Vec<Name>, inputs: Vec<Name>, arm: Arm) -> Self {
         let outputs = Output::positions(inputs.len());
         let inverse = Inverse::Robot(Box::new(arm));
         Self::of(states, inputs, outputs, inverse)

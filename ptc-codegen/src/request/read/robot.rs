@@ -10,7 +10,7 @@ use crate::syntax::{Node, Value};
 use crate::urdf::Payload;
 
 impl Reader<'_> {
-    /// Returns true if a design asks for functions of a robot, and refuses it: only `emit` knows them.
+    /// Refuses a design of functions of a robot, which only `emit` generates, and returns true if it is one.
     pub(super) fn is_robot(&mut self, entries: &[Entry]) -> bool {
         let given = |key: &str| entries.iter().find(|entry| entry.key == key);
         let what = given("what").map(|entry| (entry.value.place, asked_for(entry)));
@@ -58,7 +58,7 @@ pub(crate) fn payload_of(node: &Node, key: &str, found: &mut Diagnostics) -> Opt
     payload
 }
 
-/// What is said of a payload that nothing carries.
+/// Message and help for a payload that nothing carries.
 pub(crate) const NO_TIP: (&str, &str) =
     ("a payload needs one `tip` that moves", "give the link that carries it as `tip`");
 

@@ -38,15 +38,7 @@ impl<'a> Reader<'a> {
         let known = parameters::known(own);
         let name = self.name();
         let units = self.units();
-        let what = self.choice(
-            "what",
-            &[
-                ("controller", What::Controller),
-                ("associated", What::Associated),
-                ("observer", What::Observer),
-                ("filter", What::Filter),
-            ],
-        );
+        let what = self.choice("what", &What::NAMES);
         let precision =
             self.choice("precision", &[("f64", Precision::F64), ("f32", Precision::F32)]);
         let [fma, latency] =

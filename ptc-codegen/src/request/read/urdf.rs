@@ -1,4 +1,4 @@
-//! A robot from its file: where it comes from, and what is read there.
+//! A robot read from its URDF file.
 
 use num_traits::Zero;
 
@@ -7,22 +7,23 @@ use super::robot::{NO_TIP, known, payload_of};
 use super::{Entry, robot::asked_for};
 use crate::algebra::BigRational;
 use crate::diagnostic::Diagnostics;
+#[cfg(feature = "cli")]
+use crate::request::What;
 use crate::syntax::{Node, Value, number};
 use crate::urdf::{self, Ends, Payload, Robot, Source};
 
-/// The values of `what` that are no functions of a robot.
-#[cfg(feature = "cli")]
-const CONTROLLERS: [&str; 4] = ["controller", "associated", "observer", "filter"];
-
-/// Returns true if entries ask for functions of a robot, and not for its controller.
+/// Returns true if entries describe functions of a robot, and not its controller.
 #[cfg(feature = "cli")]
 pub(crate) fn asks_for_functions(entries: &[Entry]) -> bool {
     let given = |key: &str| entries.iter().find(|entry| entry.key == key);
-    let of_controller = |entry: &Entry| CONTROLLERS.contains(&asked_for(entry).as_str());
+    let of_controller = |entry: &Entry| {
+        let what = asked_for(entry);
+        What::NAMES.iter().any(|(name, _)| *name == what)
+    };
     given("urdf").is_some() && given("what").is_some_and(|entry| !of_controller(entry))
 }
 
-/// Reads where a robot comes from.
+/// Reads the source of a robot.
 pub(crate) fn robot_source<'a>(
     value: &dyn Fn(&str) -> Option<&'a Node>,
     found: &mut Diagnostics,

@@ -176,7 +176,7 @@ impl Plants {
     fn step(&mut self, x: &[Pack], u: &[Pack], times: &Times, alone: &mut Which) {
         let Some(motions) = &mut self.motions else { return };
         let steps = std::array::from_fn(|lane| alone[lane] && !self.walks[lane].slides());
-        let moved = motions.after((x, u), times, &steps, &mut self.next);
+        let moved = motions.after(x, u, times, &steps, &mut self.next);
         for lane in 0..LANES {
             alone[lane] &= !moved[lane];
         }

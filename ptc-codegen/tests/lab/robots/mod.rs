@@ -100,7 +100,7 @@ fn an_arm_has_the_torques_of_its_inertia_and_bias() {
 }
 
 #[test]
-fn a_payload_is_a_body_at_the_tip() {
+fn payloads_equal_fixed_bodies_at_the_tip() {
     let mut joints: Vec<_> = tree().into_iter().take(5).collect();
     let payload = "[0.8, 0.1, -0.2, 0.3, 0.02, 0.03, 0.025, 0.001, -0.002, 0.003]";
     let gravity = "gravity = [0.4, -1.1, -9.7]";

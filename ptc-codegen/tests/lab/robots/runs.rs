@@ -59,7 +59,7 @@ fn joints_move_as_chains_of_integrators() {
 }
 
 #[test]
-fn a_sampled_arm_follows_its_references() {
+fn sampled_arms_follow_references() {
     let more = "gravity = [0, 0, -9.81]\n";
     let folder = written("samples", &tree(), more);
     let flags =
@@ -71,10 +71,10 @@ fn a_sampled_arm_follows_its_references() {
     }
 }
 
-/// Of one joint without weight the payload changes the inertia alone, from 0.6 to 0.85 kg m^2: the torques move it by
+/// A joint without weight: the payload changes the inertia alone, from 0.6 to 0.85 kg m^2, and the joint accelerates by
 /// 0.6/0.85 of what the law wants.
 #[test]
-fn a_payload_that_the_law_does_not_know_slows_a_joint() {
+fn unknown_payloads_slow_a_joint() {
     let joint = Joint {
         kind: "revolute",
         parent: 0,

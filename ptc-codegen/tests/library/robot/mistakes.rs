@@ -115,7 +115,7 @@ fn loops_of_joints_are_refused() {
 }
 
 #[test]
-fn a_body_without_inertia_is_refused_by_its_joint() {
+fn bodies_without_inertia_are_refused_with_their_joint() {
     let text = urdf(&tree()[..1]);
     let start = text.find("<inertial>").expect("an inertia");
     let end = text.find("</inertial>").expect("its end") + "</inertial>".len();

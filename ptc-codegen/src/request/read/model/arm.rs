@@ -53,8 +53,8 @@ impl Reader<'_> {
             self.wrong(URDF, Some(node.place), message, help);
             return None;
         }
-        let names = arm::names(joints)?;
-        Some(Coupled::of_arm(names, Arm { source, robot }))
+        let (states, inputs) = arm::names(joints)?;
+        Some(Coupled::of_arm(states, inputs, Arm { source, robot }))
     }
 
     /// Refuses a robot where no files are read.

@@ -59,13 +59,13 @@ impl Reader<'_> {
         let mut names = Names::new(named, controls);
         self.intermediates(&mut names)?;
         let coupled = match lagrangian {
-            true => self.lagrangian(&names, (third?, fourth?)),
-            false => self.decoupled(&names, (third?, fourth?)),
+            true => self.lagrangian(&names, third?, fourth?),
+            false => self.decoupled(&names, third?, fourth?),
         };
         coupled.map(|coupled| Coupled { intermediates: names.intermediates, ..coupled })
     }
 
-    fn decoupled(&mut self, names: &Names, (outputs, dynamics): (&Node, &Node)) -> Option<Coupled> {
+    fn decoupled(&mut self, names: &Names, outputs: &Node, dynamics: &Node) -> Option<Coupled> {
         let Names { states, inputs, .. } = names;
         self.count("outputs", outputs, inputs.len(), "the inputs")?;
         let rates = self.state_rates(dynamics, states)?;
@@ -82,7 +82,7 @@ impl Reader<'_> {
         }
     }
 
-    fn lagrangian(&mut self, names: &Names, (inertia, bias): (&Node, &Node)) -> Option<Coupled> {
+    fn lagrangian(&mut self, names: &Names, inertia: &Node, bias: &Node) -> Option<Coupled> {
         let Names { states, inputs, .. } = names;
         let m = inputs.len();
         if states.len() != 2 * m {

@@ -42,6 +42,12 @@ struct Rates {
     is_due: bool,
 }
 
+/// The time of a step in every lane.
+struct Span {
+    from: Pack,
+    length: Pack,
+}
+
 impl Motions {
     /// `None` where no step moves the plant, or where it does not run in lanes.
     pub(super) fn of(motion: &Motion) -> Option<Self> {
@@ -82,7 +88,8 @@ impl Motions {
     /// Moves the states of some lanes, and writes them to `into`; the lanes in which one step is all.
     pub(super) fn after(
         &mut self,
-        (x, u): (&[Pack], &[Pack]),
+        x: &[Pack],
+        u: &[Pack],
         times: &Times,
         lanes: &Which,
         into: &mut [Pack],
@@ -90,12 +97,12 @@ impl Motions {
         let Self { rates, step } = self;
         rates.begin(x.len(), u);
         let length = Pack::of(|lane| times.to.0[lane] - times.from.0[lane]);
-        let mut at = |part: f64, state: &[Pack], into: &mut [Pack]| {
-            rates.at((&times.from, &length, part), state, into);
-        };
+        let span = Span { from: times.from, length };
+        let mut at =
+            |part: f64, state: &[Pack], into: &mut [Pack]| rates.at(&span, part, state, into);
         let error = step.take(x, &mut at);
         if rates.kinks.any() {
-            rates.watch(step, x, (&times.from, &length));
+            rates.watch(step, x, &span);
         }
         let end = step.end();
         let all = std::array::from_fn(|lane| {
@@ -122,11 +129,10 @@ impl Rates {
         self.kinks.begin();
     }
 
-    /// The rates at a part of a time from `from` on, times its length.
-    fn at(&mut self, at: (&Pack, &Pack, f64), state: &[Pack], into: &mut [Pack]) {
-        self.look(at, state);
-        let (_, length, _) = at;
-        let scaled = |rate: &Pack| Pack::of(|lane| length.0[lane] * rate.0[lane]);
+    /// The rates at a part of a span, times its length.
+    fn at(&mut self, span: &Span, part: f64, state: &[Pack], into: &mut [Pack]) {
+        self.look(span, part, state);
+        let scaled = |rate: &Pack| Pack::of(|lane| span.length.0[lane] * rate.0[lane]);
         if let Some(accelerations) = &self.accelerations {
             let rates = accelerations.rates(state);
             into.iter_mut().zip(rates).for_each(|(into, rate)| *into = scaled(rate));
@@ -137,9 +143,9 @@ impl Rates {
         }
     }
 
-    /// Computes all at a part of a time.
-    fn look(&mut self, (from, length, part): (&Pack, &Pack, f64), state: &[Pack]) {
-        let time = Pack::of(|lane| from.0[lane] + length.0[lane] * part);
+    /// Computes all at a part of a span.
+    fn look(&mut self, span: &Span, part: f64, state: &[Pack]) {
+        let time = Pack::of(|lane| span.from.0[lane] + span.length.0[lane] * part);
         self.along.at(&time, state);
         if let Some(accelerations) = &mut self.accelerations {
             accelerations.solve(&self.along.lanes, &self.u);
@@ -149,12 +155,12 @@ impl Rates {
     }
 
     /// Looks for kinks within a step.
-    fn watch(&mut self, step: &mut Step, x: &[Pack], (from, length): (&Pack, &Pack)) {
-        step.densify(x, &mut |part, state, into| self.at((from, length, part), state, into));
+    fn watch(&mut self, step: &mut Step, x: &[Pack], span: &Span) {
+        step.densify(x, &mut |part, state, into| self.at(span, part, state, into));
         self.kinks.note(kinks::LAST);
         for node in 1..kinks::LAST {
             let part = share(node);
-            self.look((from, length, part), step.within(part));
+            self.look(span, part, step.within(part));
             self.kinks.note(node);
         }
     }

@@ -34,7 +34,8 @@ fn arm(bias: &str) -> (Process, Values) {
 }
 
 /// The lanes that a step moves from states, each as the process by itself does.
-fn moved((process, values): &mut (Process, Values), x: &[[f64; LANES]; 2]) -> Which {
+fn moved(run: &mut (Process, Values), x: &[[f64; LANES]; 2]) -> Which {
+    let (process, values) = run;
     let Moved::Rates(motion) = &process.moved else { panic!("no rates") };
     let mut motions = Motions::of(motion).expect("lanes");
     let x = x.map(Pack);
@@ -47,7 +48,7 @@ fn moved((process, values): &mut (Process, Values), x: &[[f64; LANES]; 2]) -> Wh
     }
     let times = Times { part: 0, from, to, moves: Pack::all(1.0) };
     let mut ends = x;
-    let moved = motions.after((&x, &u), &times, &[true; LANES], &mut ends);
+    let moved = motions.after(&x, &u, &times, &[true; LANES], &mut ends);
     for lane in (0..LANES).filter(|lane| moved[*lane]) {
         process.start(values, &own(lane)).expect("values");
         let mut state = State::zeros();
