@@ -160,7 +160,16 @@ fn is_hidden(c: char) -> bool {
 
 /// The first characters of a long text.
 pub(crate) fn shorten(text: &str) -> String {
-    match text.char_indices().nth(40) {
+    beginning(text, 40)
+}
+
+/// The first characters of an expression that a message quotes.
+pub(crate) fn shorten_expression(text: &str) -> String {
+    beginning(text, 200)
+}
+
+fn beginning(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
     }

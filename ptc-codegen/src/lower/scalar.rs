@@ -44,7 +44,7 @@ impl Builder<'_> {
             }
             Node::Power(a, exponent) => {
                 let a = self.part(a, found);
-                self.scalar_power(a, exponent)
+                self.scalar_power(a, exponent, found)
             }
             Node::Call(function, a) => {
                 let a = self.part(a, found);
@@ -75,8 +75,13 @@ impl Builder<'_> {
     }
 
     /// base^exponent: multiplications for an integer exponent, a root for 1/2, else `pow`, for
-    /// which the base is positive.
-    pub(super) fn scalar_power(&mut self, base: Value, exponent: &Expression) -> Value {
+    /// which the base is positive. The values of parts that are `found` are shared.
+    pub(super) fn scalar_power(
+        &mut self,
+        base: Value,
+        exponent: &Expression,
+        found: &mut Found<Value>,
+    ) -> Value {
         if let Some(k) = exponent.small_integer().filter(|k| k.unsigned_abs() <= 64) {
             let power = match k.unsigned_abs() {
                 0 => return self.integer(1),
@@ -94,7 +99,7 @@ impl Builder<'_> {
             let (one, power) = (self.integer(1), self.push(Op::Pow(base, power)));
             return self.div(one, power);
         }
-        let exponent = self.scalar(exponent);
+        let exponent = self.part(exponent, found);
         self.push(Op::Pow(base, exponent))
     }
 

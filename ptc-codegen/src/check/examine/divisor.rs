@@ -1,6 +1,7 @@
-//! Divisor of the law: refuted where it is certain to be 0 within the bounds of the inputs.
+//! Divisor of the law: refuted where it is certain to be 0 within the bounds of the inputs, and looked at where the plant
+//! comes to rest.
 
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero as _};
 
 use super::known::range;
 use crate::algebra::BigRational;
@@ -8,10 +9,11 @@ use crate::check::{Outcome, Verdict};
 use crate::diagnostic::digits;
 use crate::expression::crossing::{Free, Zero, crossing};
 use crate::expression::enclosure::Interval;
-use crate::expression::evaluator::Names;
+use crate::expression::evaluator::{Evaluator, Existence, Names};
+use crate::expression::normal::normal;
 use crate::expression::{Expression, Variable};
 use crate::parameter::{Fixed, Parameter};
-use crate::request::Spec;
+use crate::request::{Reference, Spec};
 
 /// The check `envelope` where the divisor of the law passes through 0 in it.
 pub(super) fn zero(spec: &Spec) -> Option<Outcome> {
@@ -37,6 +39,48 @@ pub(super) fn zero(spec: &Spec) -> Option<Outcome> {
         details,
         fix: Some("narrow `x_max` to where it keeps its sign".to_owned()),
     })
+}
+
+/// The check `growth` of a chain whose gain of u may be 0 where the chain comes to rest; of models `zeros` looks at it.
+pub(super) fn at_rest(spec: &Spec, growth: Outcome) -> Outcome {
+    let gain = spec.input_gain.as_ref().filter(|_| !spec.has_model() && growth.is_checked());
+    let found = gain.and_then(|gain| Some((text(spec, gain), zero_at_rest(spec, gain)?)));
+    let Some((gain, (verdict, is))) = found else { return growth };
+    Outcome {
+        verdict,
+        summary: format!("the gain of u, {gain}, {is} where x is at rest: the law divides by it"),
+        fix: Some("take coordinates in which u moves the plant at rest".to_owned()),
+        ..growth
+    }
+}
+
+/// Returns a verdict on the gain of u with the states of a chain at their references, and what the gain is; `None` if it
+/// is not found to be 0 there, or depends on what is left to run time.
+fn zero_at_rest(spec: &Spec, gain: &Expression) -> Option<(Verdict, &'static str)> {
+    const ZERO: (Verdict, &str) = (Verdict::Unsound, "is 0");
+    let references = match &spec.reference {
+        Some(Reference::Input) => return None,
+        Some(Reference::Known(_)) => spec.known_references().next().unwrap_or_default(),
+        None => &[],
+    };
+    let rest = |j: usize| references.get(j - 1).cloned().unwrap_or(Expression::integer(0));
+    let gain = normal(&gain.substitute(&|e| match e.variable() {
+        Some(Variable::State(j)) => Some(rest(j)),
+        _ => None,
+    }));
+    if let Some(number) = gain.number() {
+        return number.is_zero().then_some(ZERO);
+    }
+    let (free, given) = inputs(spec, &gain)?;
+    if !free.is_empty() {
+        return crossing(&gain, &free, &given).map(|_| ZERO);
+    }
+    match Evaluator::new().value(&gain, &given) {
+        Some(value) if value.existence == Existence::Certain => {
+            value.interval.has_zero().then_some((Verdict::Undecided, "may be 0"))
+        }
+        _ => Some((Verdict::Undecided, "has no value that is known")),
+    }
 }
 
 /// Returns the divisor of the law at each step, with its description.

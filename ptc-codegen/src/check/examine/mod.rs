@@ -104,7 +104,7 @@ fn in_time(spec: Spec, known: Option<Looped>, expanded: Option<Expanded>) -> Rep
     let deadline = superseded(deadline, decided);
     let deadline = of_error(&spec, deadline);
     let envelope = envelope::outcome(&spec, forms);
-    let growth = of_error(&spec, of_chain(&spec, growth));
+    let growth = of_error(&spec, divisor::at_rest(&spec, of_chain(&spec, growth)));
     let mut outcomes = vec![membership, growth, sampling, deadline, looped, envelope];
     outcomes.extend(zeros::outcome(&spec));
     let stability = OnceLock::new();

@@ -1,7 +1,7 @@
 //! Sums, products, quotients and powers of series.
 
 use super::{Leading, Series};
-use crate::expression::Expression;
+use crate::expression::{Expression, Found};
 use crate::lower::builder::Builder;
 use crate::lower::coefficients::Coefficient::{self, Exact};
 use crate::program::{Op, Value};
@@ -191,11 +191,12 @@ impl Builder<'_> {
             };
         }
         let (leading, terms) = self.leading(a);
+        let mut found = Found::default();
         let power = match exponent.number() {
             Some(number) => Exact(number.clone()),
-            None => Coefficient::Value(self.scalar(exponent)),
+            None => Coefficient::Value(self.part(exponent, &mut found)),
         };
-        let scale = self.scalar_power(leading, exponent);
+        let scale = self.scalar_power(leading, exponent, &mut found);
         Series::new(Some(scale), self.power_series(&terms, &power))
     }
 

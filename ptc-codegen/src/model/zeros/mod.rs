@@ -91,13 +91,31 @@ pub(crate) fn zeros(
                 false => found(plant, divisor.as_ref(), followed, values),
             };
             let is_known = found.iter().all(|at| at.place != NOWHERE);
-            return if is_known { found } else { none() };
+            if is_known {
+                return found;
+            }
+            let at_origin = at_origin(plant, divisor.as_ref(), followed);
+            return at_origin.map_or_else(none, |at| vec![at]);
         }
         if let Some(open) = open {
             return AtRest::nowhere(format!("`{}` is left to run time", open.spelling()));
         }
         found(plant, divisor.as_ref(), followed, values)
     })
+}
+
+/// The origin, where all outputs come to rest there and it is not certain that the law does not divide by 0 at it.
+fn at_origin(
+    plant: &Plant<'_>,
+    divisor: Option<&Expression>,
+    followed: &Followed<'_>,
+) -> Option<AtRest> {
+    let Followed::Constant(references) = followed else { return None };
+    let divisor = divisor.filter(|_| references.iter().all(|r| *r == Expression::integer(0)))?;
+    let mut equations = Equations::new(plant, &[], Names::new());
+    let origin = Point::Exact(vec![BigRational::zero(); equations.unknowns.len()]);
+    let zeros = of_divisor(plant, divisor, &mut equations, &origin)?;
+    Some(AtRest { place: "the origin".to_owned(), zeros })
 }
 
 /// The same without parameters that are left to run time.
@@ -210,15 +228,8 @@ fn judged(
     equations: &mut Equations,
     point: &Point,
 ) -> Zeros {
-    if let (Some(divisor), Point::Exact(at)) = (divisor, point)
-        && equations.number(divisor, at).is_some_and(|value| value.is_zero())
-    {
-        return Zeros::Singular;
-    }
-    if let Some(divisor) = divisor
-        && equations.at(divisor, point).is_none_or(|value| !value.is_apart())
-    {
-        return Zeros::Open(format!("{} may be 0: the law divides by it", plant.text(divisor)));
+    if let Some(zeros) = divisor.and_then(|own| of_divisor(plant, own, equations, point)) {
+        return zeros;
     }
     let exact = match point {
         Point::Exact(at) => {
@@ -252,6 +263,26 @@ fn judged(
         None if has_both_signs(&p) => Zeros::Unstable(about),
         None => Zeros::Critical(about),
     }
+}
+
+/// Result at a point where the law divides by 0, or may do so.
+fn of_divisor(
+    plant: &Plant<'_>,
+    divisor: &Expression,
+    equations: &mut Equations,
+    point: &Point,
+) -> Option<Zeros> {
+    if let Point::Exact(at) = point
+        && let Some(value) = equations.number(divisor, at)
+    {
+        return value.is_zero().then_some(Zeros::Singular);
+    }
+    let is = match equations.at(divisor, point) {
+        Some(value) if value.is_apart() => return None,
+        Some(_) => "may be 0",
+        None => "has no value that is known",
+    };
+    Some(Zeros::Open(format!("{} {is}: the law divides by it", plant.text(divisor))))
 }
 
 fn of_polynomial(p: Polynomial) -> Zeros {

@@ -119,3 +119,80 @@ fn matrices_that_are_eliminated_are_regular_just_off_a_zero() {
         "{stdout} {stderr}"
     );
 }
+
+/// A chain of order 2 with the gain `g`, whose output follows `reference` where there is one.
+fn at_rest(g: &str, reference: &str) -> String {
+    let follows = match reference {
+        "" => String::new(),
+        r => format!("reference = \"{r}\"\n"),
+    };
+    format!(
+        "n = 2\nmu = \"exp(a=1)\"\ngains = [12, 7]\ng = \"{g}\"\n{follows}\
+         [params]\ntau = 1\neps = 0.01\nt0 = 0\n"
+    )
+}
+
+/// The same chain as a model.
+fn model_at_rest(g: &str) -> String {
+    format!(
+        "mu = \"exp(a=1)\"\ngains = [12, 7]\n[params]\ntau = 1\neps = 0.01\nt0 = 0\n\
+         [model]\nstates = [\"q\", \"w\"]\ninput = \"u\"\noutput = \"q\"\n\
+         dynamics = [\"w\", \"u*({})\"]\n",
+        g.replace("x1", "q")
+    )
+}
+
+#[test]
+fn a_gain_that_is_zero_at_rest_is_never_accepted() {
+    for (g, of_chain, of_model) in [
+        ("x1", "unsound", "unsound"),
+        ("abs(x1)", "unsound", "unsound"),
+        ("exp(x1) - 1", "unsound", "unsound"),
+        ("max(x1, 0)", "undecided", "undecided"),
+        // It is 0 there, and no normal form says so.
+        ("sqrt(2 + x1)*sqrt(3) - sqrt(6)", "undecided", "undecided"),
+        ("exp(-1/x1^2)", "undecided", "undecided"),
+        ("2 + cos(x1)", "sound", "sound"),
+        ("1e-9 + abs(x1)", "sound", "sound"),
+    ] {
+        let chain = checked("growth", "at_rest", &at_rest(g, ""));
+        assert_eq!(chain.0, of_chain, "{g}: {}", chain.1);
+        let model = checked("zeros", "model_at_rest", &model_at_rest(g));
+        assert_eq!(model.0, of_model, "{g}: {}", model.1);
+    }
+    for (g, reference, verdict) in [
+        ("x1", "1", "sound"),
+        ("x1", "sin(t)", "unsound"),
+        ("x1", "2 - t", "sound"),
+        ("x1 - 1", "1", "unsound"),
+        ("x2", "2 - t", "sound"),
+        ("x2", "sin(3*t)", "unsound"),
+        ("x1", "input", "sound"),
+    ] {
+        let found = checked("growth", "followed", &at_rest(g, reference));
+        assert_eq!(found.0, verdict, "{g} along {reference}: {}", found.1);
+    }
+}
+
+#[test]
+fn nested_powers_are_lowered_once_and_quoted_in_part() {
+    let nested = |first: &str, next: &dyn Fn(String) -> String, last: &str| {
+        let values: Vec<_> =
+            (2..=40).map(|i| format!("s{i} = \"{}\"", next(format!("s{}", i - 1)))).collect();
+        format!(
+            "mu = \"exp(a=1)\"\ngains = [12, 7]\n[params]\ntau = 1\neps = 0.01\nt0 = 0\n\
+             [model]\nstates = [\"q\", \"w\"]\ninput = \"u\"\noutput = \"q\"\n\
+             let = {{ s1 = \"{first}\", {} }}\ndynamics = [\"w\", \"{last}\"]\n",
+            values.join(", ")
+        )
+    };
+    // Each power reads the one before twice: without sharing that is 2^39 operations.
+    let powers = nested("1 + q^2", &|s| format!("{s}^{s}"), "u + s40");
+    assert_eq!(checked("growth", "nested_powers", &powers).0, "sound");
+    let open = nested("q", &|s| format!("exp({s})"), "u*(2 + s40)");
+    let folder = folder_with("nested_open", "d.toml", open);
+    let (_, _, stderr) = run_in(&folder, &["check", "d.toml"]);
+    let message = stderr.lines().next().unwrap_or_default();
+    assert!(message.contains("the relative degree is not decided"), "{stderr}");
+    assert!(message.len() < 320, "{message}");
+}

@@ -1,7 +1,7 @@
 //! Diagnostics of a model whose output is not a chain.
 
 use super::super::{Reader, items};
-use crate::diagnostic::Place;
+use crate::diagnostic::{Place, shorten_expression};
 use crate::model::Ill;
 use crate::model::coupled::IllCoupled;
 use crate::parameter::Name;
@@ -21,19 +21,19 @@ impl Reader<'_> {
             Ill::NotAffine(index, input, slope) => (
                 "dynamics",
                 rates.get(*index).map(|node| node.place),
-                format!("{}' is not affine in the input {}: its slope is {slope}", states[*index], names[*input]),
+                format!("{}' is not affine in the input {}: its slope is {}", states[*index], names[*input], shorten_expression(slope)),
                 "write it as f + g*input with f and g of the states; a curved actuator is inverted outside, or is a state with dynamics of its own".to_owned(),
             ),
             Ill::Kink(text) => (
                 key,
                 output,
-                format!("{text} has a kink, abs, sign, min or max, and has to be differentiated"),
+                format!("{} has a kink, abs, sign, min or max, and has to be differentiated", shorten_expression(text)),
                 "take a smooth function in its place: tanh(w/small) for sign(w)".to_owned(),
             ),
             Ill::Open(text) => (
                 key,
                 output,
-                format!("the relative degree is not decided: is {text} = 0 for all states?"),
+                format!("the relative degree is not decided: is {} = 0 for all states?", shorten_expression(text)),
                 "write the model with fewer functions, or fix parameters under [params]".to_owned(),
             ),
             Ill::Unreached => (
@@ -70,19 +70,22 @@ impl Reader<'_> {
             }
             IllCoupled::Open(determinant) => (
                 format!(
-                    "whether the inputs decouple the outputs is not decided: is {determinant} = 0 for all states?"
+                    "whether the inputs decouple the outputs is not decided: is {} = 0 for all states?",
+                    shorten_expression(determinant)
                 ),
                 "write the model with fewer functions, or fix parameters under [params]",
             ),
             IllCoupled::Singular(matrix) if key == "inertia" => (
                 format!(
-                    "the inertia {matrix} is singular for all states: no motion follows from the inputs"
+                    "the inertia {} is singular for all states: no motion follows from the inputs",
+                    shorten_expression(matrix)
                 ),
                 "check its entries: an inertia is symmetric and positive definite",
             ),
             IllCoupled::Singular(matrix) => (
                 format!(
-                    "no static decoupling exists: the matrix {matrix}, by which the inputs move the last derivatives of the outputs, is singular for all states"
+                    "no static decoupling exists: the matrix {}, by which the inputs move the last derivatives of the outputs, is singular for all states",
+                    shorten_expression(matrix)
                 ),
                 "take outputs that the inputs move one by one, or add an integrator before the input that acts first: a state whose rate is the new input",
             ),
