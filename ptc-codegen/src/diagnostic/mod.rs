@@ -72,6 +72,11 @@ impl Diagnostics {
         self.0.extend(found);
     }
 
+    /// Returns true if one of the mistakes noted `since` then has this message.
+    pub fn says(&self, message: &str, since: usize) -> bool {
+        self.0.iter().skip(since).any(|found| found.message == message)
+    }
+
     /// Number of mistakes noted so far.
     pub fn len(&self) -> usize {
         self.0.len()

@@ -53,7 +53,7 @@ pub fn resolve(
     scope: Scope<'_>,
     found: &mut Diagnostics,
 ) -> Option<Expression> {
-    let mut resolver = Resolver { scope, found };
+    let mut resolver = Resolver { scope, before: found.len(), found };
     let expression = resolver.node(node)?;
     // With its constants and families written out it still has to be one that can be read: this
     // bounds its height, and its spelling gives it back.
@@ -68,6 +68,8 @@ pub fn resolve(
 
 struct Resolver<'a, 'b> {
     scope: Scope<'a>,
+    /// Mistakes found before this expression.
+    before: usize,
     found: &'b mut Diagnostics,
 }
 
@@ -173,8 +175,11 @@ impl Resolver<'_, '_> {
             && !needs(e).is_empty()
     }
 
+    /// A mistake, which is reported at the first place in the expression that makes it.
     fn wrong(&mut self, place: Place, message: String, help: &str) -> Option<Expression> {
-        self.found.push("bad-expression", self.scope.subject.key(), Some(place), message, help);
+        if !self.found.says(&message, self.before) {
+            self.found.push("bad-expression", self.scope.subject.key(), Some(place), message, help);
+        }
         None
     }
 

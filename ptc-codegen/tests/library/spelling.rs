@@ -121,6 +121,15 @@ fn division_by_zero_in_a_family_is_refused() {
     assert!(mistake("--n 1 --mu=\"1*power(m=1-1)\"").contains("divides by zero"));
 }
 
+#[test]
+fn a_name_that_is_wrong_three_times_is_one_mistake() {
+    let found = |line: &str| spec_of(line).err().map_or(0, |found| found.len());
+    assert_eq!(found("--n 1 --kappa=\"t*t/(tau - t)\""), 1);
+    assert_eq!(found("--n 1 --kappa=\"t*x1/(tau - t)\""), 2);
+    // Another expression has a mistake of its own.
+    assert_eq!(found("--n 1 --kappa=\"t/(tau - t)\" --g=\"xi1\" --f=\"xi1\""), 3);
+}
+
 /// Each parameter has a field of its own in the emitted code.
 #[test]
 fn reserved_names_are_refused() {
