@@ -53,6 +53,11 @@ impl Bounds {
         Self { least, most, is_symmetric: true }
     }
 
+    /// Returns true if the lower limit is the opposite of the upper one.
+    pub fn is_symmetric(&self) -> bool {
+        self.is_symmetric
+    }
+
     /// From `least` to `most`.
     pub fn between(least: Option<Expr>, most: Option<Expr>) -> Self {
         Self { least, most, is_symmetric: false }

@@ -38,6 +38,7 @@ mod walk;
 pub(crate) use arithmetic::power_bits;
 pub use function::Function;
 pub use names::Subject;
+pub(crate) use names::is_known;
 pub(crate) use node::Found;
 pub use node::{Expression, Node};
 pub(crate) use quantity::Quantity;

@@ -54,9 +54,13 @@ fn function(request: &Request, robot: &Robot, quantity: Quantity) -> Function {
         Guard::None => Finish::give(results, Status::Ok),
         Guard::Full | Guard::Result => {
             let computed = results.iter().filter(|own| matches!(own, Expr::Local(_)));
-            let finite = computed.cloned().map(Test::Finite).collect();
+            let finite: Vec<_> = computed.cloned().map(Test::Finite).collect();
             let done = Finish::give(results, Status::Ok);
-            Finish::choose(Test::All(finite), done, Finish::Fail(Status::Range))
+            match finite.is_empty() {
+                // What depends on no joint is a number.
+                true => done,
+                false => Finish::choose(Test::All(finite), done, Finish::Fail(Status::Range)),
+            }
         }
     };
     let (result, about) = quantity.result();

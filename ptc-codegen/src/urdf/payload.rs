@@ -23,7 +23,8 @@ impl Payload {
         let zero = std::array::from_fn(|_| BigRational::zero());
         let tensor = if rest.is_empty() { zero } else { rest.to_vec().try_into().ok()? };
         let centre = [x, y, z].map(Clone::clone);
-        (!mass.is_negative()).then(|| Self { mass: mass.clone(), centre, tensor })
+        let is_legal = !mass.is_negative() && is_semidefinite(&tensor);
+        is_legal.then(|| Self { mass: mass.clone(), centre, tensor })
     }
 
     /// Returns its numbers.
@@ -37,6 +38,15 @@ impl Payload {
         let own = Inertia::central(self.mass.clone(), self.tensor.clone());
         own.placed(&Placement { rotation: unit(), origin: self.centre.clone() })
     }
+}
+
+/// Returns true if ixx, iyy, izz, ixy, ixz, iyz are those of a matrix with no negative principal minor: about no axis is
+/// the moment of inertia negative.
+fn is_semidefinite([xx, yy, zz, xy, xz, yz]: &[BigRational; 6]) -> bool {
+    let minors = [xx * yy - xy * xy, xx * zz - xz * xz, yy * zz - yz * yz];
+    let two = BigRational::from_integer(2.into());
+    let whole = xx * &minors[2] - xy * xy * zz + two * xy * xz * yz - xz * xz * yy;
+    [xx, yy, zz, &whole].into_iter().chain(&minors).all(|minor| !minor.is_negative())
 }
 
 impl Robot {

@@ -73,6 +73,26 @@ fn emitted_torques_are_those_of_the_pendulum_and_0_on_failure() {
     assert!(done.status.success(), "{:?} {}", done.status, String::from_utf8_lossy(&done.stderr));
 }
 
+/// The mass matrix of one joint is a number, of which nothing has to be tested.
+#[test]
+fn constant_results_compile() {
+    let folder = written("robot_constant");
+    let emit = ["emit", "designs/pendulum.toml", "--what", "mass-matrix", "--name", "rod"];
+    for language in ["c", "rust", "python"] {
+        let (good, told) = run(&folder, &[&emit[..], &["--lang", language, "-o", "."]].concat());
+        assert!(good, "{told}");
+    }
+    let main = "#include \"rod.h\"\nint main(void)\n{\n const double q[1] = {0.7};\n double mass[1] = {0.0};\n\
+        rod arm;\n const rod_params none = {0};\n\
+        return rod_init(&arm, &none) == PTC_OK && rod_mass_matrix(&arm, q, mass) == PTC_OK && mass[0] == 2.0 ? 0 : 1;\n}\n";
+    fs::write(folder.join("main.c"), main).expect("writable");
+    let check = "cc -std=c99 -Wall -Wextra -Wpedantic -Werror rod.c main.c -o rod -lm && ./rod && \
+        rustc --edition 2021 --crate-type lib rod.rs --out-dir . && python3 -m py_compile rod.py";
+    let done = std::process::Command::new("sh").args(["-c", check]).current_dir(&folder).output();
+    let done = done.expect("a shell");
+    assert!(done.status.success(), "{:?} {}", done.status, String::from_utf8_lossy(&done.stderr));
+}
+
 #[test]
 fn flags_and_commands_of_controllers_are_refused() {
     let folder = written("robot_refused");

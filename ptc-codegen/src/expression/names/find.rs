@@ -81,6 +81,11 @@ pub(in crate::expression) fn find(name: &str, subject: Subject, n: usize) -> Fou
     }
 }
 
+/// Returns true if `name` means something in an expression for `subject`, at an order up to `most`.
+pub(crate) fn is_known(name: &str, subject: Subject, most: usize) -> bool {
+    matches!(find(name, subject, most), Found::Is(_))
+}
+
 /// Names that only resemble one of the table, and those that mean something outside expressions.
 fn not_in_the_table(name: &str, subject: Subject) -> Found {
     let shown = shorten(name);

@@ -5,6 +5,7 @@ mod find;
 use super::{Expression, Variable};
 use crate::parameter::Parameter;
 
+pub(crate) use find::is_known;
 pub(super) use find::{Found, find};
 
 /// Purpose of an expression, which decides the names it may use.

@@ -62,8 +62,11 @@ pub(crate) struct Bound {
     pub(crate) signal: Signal,
     /// The factors.
     pub(crate) row: Vec<BigRational>,
-    /// Share of its limits that it may take; 1 where the sum is a value of the signal, which either limit bounds.
+    /// Share of its limits that it may take.
     pub(crate) share: BigRational,
+    /// True if every value that it stands for lies between 0 and the sum, so that each is kept by the limit on its side;
+    /// otherwise values may have the other sign.
+    pub(crate) is_signed: bool,
 }
 
 /// Coefficients of a signal from the first sample on, as a polynomial in the part of the way that is left.
@@ -212,7 +215,7 @@ impl Stretch {
                 };
                 let of_weights: Vec<_> = (0..self.course.order()).map(sum).collect();
                 let row = weights.after_row(&of_weights);
-                all.push(Bound { signal: curve.signal, row, share: integer(1) });
+                all.push(Bound { signal: curve.signal, row, share: integer(1), is_signed: true });
             }
         }
         all.extend(self.behind.iter().map(|bound| {
@@ -248,7 +251,7 @@ fn held_bounds(plan: &Plan<'_>, course: &Course, from: &BigRational) -> Option<V
         let share = BigRational::from_float(share.recip())?;
         for row in span.rows {
             let row = row.into_iter().map(BigRational::from_float).collect::<Option<Vec<_>>>()?;
-            all.push(Bound { signal, row, share: share.clone() });
+            all.push(Bound { signal, row, share: share.clone(), is_signed: span.is_signed });
         }
     }
     Some(all)

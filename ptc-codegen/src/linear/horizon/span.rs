@@ -16,6 +16,8 @@ pub(super) struct Span {
     pub(super) rows: Vec<Row>,
     /// The greatest sum of sizes of factors with which the rows give another one, at least 1.
     pub(super) share: f64,
+    /// True if every other row is one of these or 0, as with deadbeat.
+    pub(super) is_signed: bool,
 }
 
 /// Share at which no more rows are taken.
@@ -47,7 +49,7 @@ impl Span {
             later(&mut all, phi, length + first[order - 1]);
             let chosen = chosen(&all, &first, length);
             if chosen.is_empty() {
-                return Some(Self { rows: Vec::new(), share: 1.0 });
+                return Some(Self { rows: Vec::new(), share: 1.0, is_signed: true });
             }
             let mut rows: Vec<_> = chosen.iter().map(|i| all[*i].clone()).collect();
             cleared(&mut rows);
@@ -55,7 +57,10 @@ impl Span {
             let later = chosen.iter().map(|i| size(&rows, &all[i + length]));
             if later.fold(0.0, f64::max) <= 0.5 {
                 let share = (0..length).map(|i| size(&rows, &all[i])).fold(1.0, f64::max);
-                return share.is_finite().then_some(Self { rows, share });
+                let is_zero = |i: usize| all[i].iter().all(|value| *value == 0.0);
+                let ends = chosen.iter().all(|i| is_zero(i + length));
+                let is_signed = ends && (0..length).all(|i| chosen.contains(&i) || is_zero(i));
+                return share.is_finite().then_some(Self { rows, share, is_signed });
             }
             length *= 2;
         }

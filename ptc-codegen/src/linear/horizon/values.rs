@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use super::{Bound, Horizon, Signal, Stretch};
-use crate::algebra::{BigRational, integer};
+use crate::algebra::BigRational;
 
 /// A value that the limits of a signal have to admit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +71,7 @@ impl Bound {
         Peak {
             signal: self.signal,
             value: sum(&self.row, by) / number(&self.share),
-            is_signed: self.share == integer(1),
+            is_signed: self.is_signed,
         }
     }
 }

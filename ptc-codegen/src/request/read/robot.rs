@@ -52,7 +52,7 @@ pub(crate) fn payload_of(node: &Node, key: &str, found: &mut Diagnostics) -> Opt
     let payload = numbers.and_then(|numbers| Payload::of(&numbers));
     if payload.is_none() {
         let message = format!("{key} = {}", node.value);
-        let help = "give its mass in kg and its centre in the frame of the tip in m, 0.5, 0, 0, 0.1, and behind them, if it is known, its inertia about the centre, ixx, iyy, izz, ixy, ixz, iyz in kg m^2";
+        let help = "give its mass in kg and its centre in the frame of the tip in m, 0.5, 0, 0, 0.1, and behind them, if it is known, its inertia about the centre, ixx, iyy, izz, ixy, ixz, iyz in kg m^2, which is negative about no axis";
         found.push("bad-value", key, Some(node.place), message, help);
     }
     payload

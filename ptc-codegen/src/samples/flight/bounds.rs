@@ -7,7 +7,7 @@ use super::super::predicted::weighted;
 use super::Chain;
 use super::rows::within;
 use super::stretch::Writer;
-use crate::algebra::{BigRational, integer};
+use crate::algebra::BigRational;
 use crate::code::{Expr, Place, Shape, Statement, Test};
 use crate::expression::Function;
 use crate::linear::{Bound, Horizon, Signal};
@@ -24,6 +24,8 @@ pub(super) struct Limits {
     input: [Option<Expr>; 2],
     /// The smaller of their distances from 0.
     within: Option<Expr>,
+    /// True if the limits of the law are one another's opposite, so that a size decides both.
+    is_even: bool,
     /// The bounds of the states.
     states: Vec<Option<Expr>>,
 }
@@ -41,6 +43,25 @@ impl Limits {
         let least = least.map(|least| Test::AtMost(least, value.clone()));
         let most = most.map(|most| Test::AtMost(value.clone(), most));
         least.into_iter().chain(most).collect()
+    }
+
+    /// Tests that a bound keeps the limits of its signal, with `set` to name a value that is used twice.
+    pub(super) fn admit_bound(
+        &self,
+        bound: &Bound,
+        value: Expr,
+        set: &mut dyn FnMut(Expr) -> Expr,
+    ) -> Vec<Test> {
+        if bound.is_signed && !self.decides_by_size(bound.signal) {
+            self.admit(bound.signal, &set(value))
+        } else {
+            self.admit_size(bound.signal, &bound.share, value)
+        }
+    }
+
+    /// Returns true if a size decides both limits of a signal.
+    fn decides_by_size(&self, signal: Signal) -> bool {
+        signal != Signal::Input || self.is_even
     }
 
     /// Tests that the size of a sum is within a share of the limits of its signal.
@@ -80,6 +101,7 @@ impl Builder<'_> {
     ) -> (Vec<Statement>, Limits) {
         let offset = self.offset();
         let bounds = self.limits();
+        let is_even = bounds.is_symmetric() && offset.is_zero();
         let mut body = Vec::new();
         let mut named = |name: String, value: Expr| {
             body.push(Statement::Let(name.clone(), Shape::Real, value));
@@ -90,7 +112,8 @@ impl Builder<'_> {
         let least = bounds.least.as_ref().map(|limit| named(least, scaled(limit)));
         let most = bounds.most.as_ref().map(|limit| named(most, scaled(limit)));
         let within = match (least.clone(), most.clone()) {
-            _ if !sizes(horizon, held) => None,
+            _ if !sizes(horizon, held, is_even) => None,
+            (_, most) if is_even => most,
             (Some(least), Some(most)) => {
                 let below = least.neg();
                 let test = Test::Less(below.clone(), most.clone());
@@ -104,7 +127,7 @@ impl Builder<'_> {
             bound.map(|bound| named(name, Expr::Number(bound).mul(part.clone())))
         });
         let states = states.collect();
-        (body, Limits { input: [least, most], within, states })
+        (body, Limits { input: [least, most], within, is_even, states })
     }
 }
 
@@ -136,11 +159,13 @@ fn tests(chain: &Chain, limits: &Limits, held: bool, before: u32) -> Vec<Stateme
     let tried = || Expr::local(TRIED);
     let mut all = match held {
         true => {
-            let row = |bound: &Bound| {
+            let mut writer = Writer::new(chain.output);
+            let mut tests = Vec::new();
+            for bound in &horizon.held {
                 let value = weighted(&bound.row, &|i| chain.flat[i].clone());
-                limits.admit_size(bound.signal, &bound.share, value)
-            };
-            settle(horizon.held.iter().flat_map(row).collect(), before)
+                tests.extend(limits.admit_bound(bound, value, &mut |value| writer.end(value)));
+            }
+            [writer.body, settle(tests, before)].concat()
         }
         false => Vec::new(),
     };
@@ -171,12 +196,12 @@ fn tests(chain: &Chain, limits: &Limits, held: bool, before: u32) -> Vec<Stateme
 }
 
 /// Returns true if u is bounded by its size.
-fn sizes(horizon: &Horizon, held: bool) -> bool {
+fn sizes(horizon: &Horizon, held: bool, is_even: bool) -> bool {
     let behind = horizon.stretches.iter().flat_map(|stretch| &stretch.behind);
-    let by_size = behind.filter(|bound| bound.share != integer(1));
     let of_held = horizon.held.iter().filter(|_| held);
+    let by_size = behind.chain(of_held).filter(|bound| is_even || !bound.is_signed);
     let of_table = horizon.table.iter().flat_map(|table| &table.signals).map(|own| own.signal);
-    by_size.chain(of_held).map(|bound| bound.signal).chain(of_table).any(|own| own == Signal::Input)
+    by_size.map(|bound| bound.signal).chain(of_table).any(|own| own == Signal::Input)
 }
 
 /// The statement that adds a chain to `fits` where all tests hold.

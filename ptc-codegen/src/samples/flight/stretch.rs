@@ -4,7 +4,6 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use super::super::predicted::weighted;
 use super::bounds::{Limits, TRIED};
-use crate::algebra::integer;
 use crate::code::{Expr, Shape, Statement, Test};
 use crate::linear::{Curve, Stretch};
 
@@ -34,6 +33,11 @@ impl Writer {
         Expr::local(name)
     }
 
+    /// Names a value of a signal at the end.
+    pub(super) fn end(&mut self, value: Expr) -> Expr {
+        self.set(&format!("end{}", self.body.len()), value)
+    }
+
     /// Tests that the limits are kept from a stretch on.
     pub(super) fn within(
         &mut self,
@@ -53,13 +57,7 @@ impl Writer {
         }
         for bound in &stretch.behind {
             let value = weighted(&bound.row, &|i| weights[i].clone());
-            // A value of the signal itself has two limits.
-            if bound.share == integer(1) {
-                let end = self.set(&format!("end{}", self.body.len()), value);
-                tests.extend(limits.admit(bound.signal, &end));
-            } else {
-                tests.extend(limits.admit_size(bound.signal, &bound.share, value));
-            }
+            tests.extend(limits.admit_bound(bound, value, &mut |value| self.end(value)));
         }
         tests
     }

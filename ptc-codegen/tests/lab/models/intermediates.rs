@@ -210,6 +210,10 @@ fn mistakes_have_one_message_each() {
         ("{good}, m = \"w\"", "`m` is a parameter under [params], and an intermediate value"),
         ("{good}, tan = \"w\"", "`tan` cannot name an intermediate value"),
         ("{good}, tau = \"w\"", "`tau` cannot name an intermediate value"),
+        // A law would read these in place of its own.
+        ("{good}, xi1 = \"w\"", "`xi1` cannot name an intermediate value"),
+        ("{good}, r_1 = \"w\"", "`r_1` cannot name an intermediate value"),
+        ("{good}, kappa_rate = \"w\"", "`kappa_rate` cannot name an intermediate value"),
         ("{good}, e = \"foo(q)\"", "unknown function `foo`"),
         ("{good}, e = \"2*\"", "found the end where a value should be"),
     ] {

@@ -190,6 +190,40 @@ fn soonest_deadlines_keep_every_limit() {
     }
 }
 
+/// Between limits that differ a plan may take more of one than of the other, up to the last sample.
+#[test]
+fn soonest_deadlines_are_kept_between_limits_that_differ() {
+    let mut draw = Draw(3);
+    let designs: [(usize, &[(&str, &str)]); 4] = [
+        (1, &[]),
+        (2, &[]),
+        (2, &[("poles", "[-4, -5]"), ("state_max", "[inf, 0.8]")]),
+        (3, &[("poles", "least-energy(weight=1)")]),
+    ];
+    for (n, more) in designs {
+        let limits = [("late", "extend"), ("u_min", "-2"), ("u_max", "5")];
+        let code = chain(n, &[more, &limits].concat());
+        let mut run = Run::new(&code, "x", n);
+        let mut found = 0;
+        for _ in 0..40 {
+            let x = draw.state(n, 0.7);
+            let Some(samples) = run.soonest(&x) else { continue };
+            found += 1;
+            assert_eq!(run.arm_for(0, samples), Status::Ok);
+            let mut own = Chain::new(&x, 0);
+            for k in 0..samples {
+                let (u, status) = run.step(k, &own.x);
+                let about = format!("{n} {more:?} {x:?}: u = {u} at {k} of {samples}");
+                assert_eq!(status, Status::Ok, "{about}");
+                assert!((-2.0 * ROUNDED..=5.0 * ROUNDED).contains(&u), "{about}");
+                own.step(u);
+            }
+            assert!(own.size() < 1e-10, "{n} {more:?} {x:?}: {:?}", own.x);
+        }
+        assert!(found > 25, "{n} {more:?}: {found} deadlines");
+    }
+}
+
 /// A chain that is held, and one that is kicked: the deadline is put off, never moved forward, nothing is clipped, and
 /// the chain is at rest at the deadline that is told.
 #[test]

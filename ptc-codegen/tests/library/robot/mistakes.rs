@@ -182,6 +182,15 @@ fn each_mistake_beside_a_robot_has_one_message() {
         ("what = \"jacobian\"", "what = jacobian is of `emit`"),
         ("tip = \"link9\"", "arm.urdf: there is no link `link9`, which `tip` names"),
         ("gravity = 9.81", "gravity = 9.81"),
+        // About one axis the moment of inertia is negative.
+        (
+            "tip = \"link2\"\npayload = [1, 0, 0, 0, 1, 1, -1, 0, 0, 0]",
+            "payload = [1, 0, 0, 0, 1, 1, -1, 0, 0, 0]",
+        ),
+        (
+            "tip = \"link2\"\npayload = [1, 0, 0, 0, 1, 1, 1, 2, 0, 0]",
+            "payload = [1, 0, 0, 0, 1, 1, 1, 2, 0, 0]",
+        ),
         ("reference = [\"0\", \"t\"]", "2 references for 6 outputs"),
         ("limits = [1, 2]", "2 values of `limits` for 6 axes"),
     ] {

@@ -148,7 +148,12 @@ impl Tabled {
             let in_units = row.iter().zip(&closed.units).map(|(own, unit)| own * unit);
             let exact = in_units.map(BigRational::from_float).collect::<Option<Vec<_>>>()?;
             let share_of_limit = BigRational::from_float(share.recip())?;
-            self.held.push(Bound { signal, row: exact, share: share_of_limit });
+            self.held.push(Bound {
+                signal,
+                row: exact,
+                share: share_of_limit,
+                is_signed: span.is_signed,
+            });
             rows.push(row.iter().map(|own| own * share).collect());
         }
         Some(rows)

@@ -6,8 +6,10 @@ use std::iter::successors;
 use super::super::{Reader, entries, shown};
 use super::names::{Names, state_name};
 use crate::diagnostic::{Place, shorten};
+use crate::expression::{Subject, is_known};
 use crate::limits::{INTERMEDIATES, MESSAGES};
 use crate::parameter::{Name, Parameter};
+use crate::request::MAX_ORDER;
 use crate::syntax::{Argument, Node, Value};
 
 const KEY: &str = "let";
@@ -15,7 +17,7 @@ const KEY: &str = "let";
 /// The keys whose expressions may use intermediate values.
 const USERS: [&str; 6] = ["output", "outputs", "dynamics", "inertia", "bias", "pi0"];
 
-/// Names that mean something in a law, or are those of parameters of every controller.
+/// Names of other expressions, and those of parameters of every controller.
 const COMMON: [&str; 8] = ["t", "dt", "T", "tau", "t0", "eps", "u_max", "u_min"];
 
 impl Reader<'_> {
@@ -57,7 +59,8 @@ impl Reader<'_> {
             None => ("", value.place),
         };
         let word = Node { value: Value::Word(text.to_owned()), place };
-        let message = match state_name(&word).filter(|_| !COMMON.contains(&text)) {
+        let is_taken = COMMON.contains(&text) || is_known(text, Subject::Law, MAX_ORDER);
+        let message = match state_name(&word).filter(|_| !is_taken) {
             None if text.is_empty() => "an intermediate value without a name".to_owned(),
             None => format!("`{}` cannot name an intermediate value", shorten(text)),
             Some(name) if names.states.contains(&name) => {
