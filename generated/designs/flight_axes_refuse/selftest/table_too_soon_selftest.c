@@ -33,10 +33,10 @@ static const table_too_soon_selftest_session table_too_soon_selftest_sessions[6]
     {.params = {.u_max = (double)INFINITY, .u_min = -(double)INFINITY}, .first = 73U, .count = 2U},
     {.params = {.u_max = 1.0, .u_min = -(double)INFINITY}, .first = 75U, .count = 2U},
     {.params = {.u_max = (double)INFINITY, .u_min = -0.5}, .first = 77U, .count = 1U},
-    {.params = {.u_max = (double)INFINITY, .u_min = -(double)INFINITY}, .first = 78U, .count = 88U},
+    {.params = {.u_max = (double)INFINITY, .u_min = -(double)INFINITY}, .first = 78U, .count = 86U},
 };
 
-static const table_too_soon_selftest_call table_too_soon_selftest_calls[166] = {
+static const table_too_soon_selftest_call table_too_soon_selftest_calls[164] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {{0.75, 0.25, -0.25}, {-0.75, -1.25, -1.75}}, .status = PTC_OK, .u = {-15.520419426048566, 71.55921593686853}, .axes = {PTC_OK, PTC_OK}},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.7400333333333332, 0.24667777777777775, -0.24667777777777775}, {-0.7400333333333332, -1.2333888888888886, -1.7267444444444442}}, .status = PTC_OK, .u = {-15.6159309296051, 71.62402628609787}, .axes = {PTC_OK, PTC_OK}},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {{0.7301333333333334, 0.2433777777777778, -0.2433777777777778}, {-0.7301333333333334, -1.2168888888888891, -1.7036444444444445}}, .status = PTC_OK, .u = {-15.712574695500873, 71.69088590933261}, .axes = {PTC_OK, PTC_OK}},
@@ -192,8 +192,6 @@ static const table_too_soon_selftest_call table_too_soon_selftest_calls[166] = {
     {.command = 1U, .samples = 200U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 75U, .y = {{-0.0007557108634664016, -0.000350941067103518, -0.9540028669107086}, {0.0004360097017214169, 84.01277785325863, -13.8482902299341}}, .status = PTC_OK, .u = {0.2932551451382241, -0.2050625174977248}, .axes = {PTC_OK, PTC_OK}},
     {.command = 2U, .samples = 200U, .told = PTC_OK, .found = 12U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.006813905068302151, -0.0009943328000781373, 0.06255765811869274}, {0.0004907877289685748, 0.020830380255259875, -0.21342452465586215}}, .status = PTC_OK, .u = {-0.018730183598950657, 0.0838817664937712}, .axes = {PTC_OK, PTC_OK}},
     {.command = 1U, .samples = 3U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 150U, .y = {{-0.0009506195320275359, 0.03129649384938045, 0.009967075848533603}, {-0.0006009933791067006, 0.0005162955007973178, -0.0003043414363721322}}, .status = PTC_OK, .u = {-0.00452656317023314, 9.300267141076585e-5}, .axes = {PTC_OK, PTC_OK}},
-    {.command = 2U, .samples = 10U, .told = PTC_OK, .found = 41U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.0002741046479573326, -0.0006556893109387858, 0.4772066932026857}, {0.04979175192210703, -0.0009557602863320953, 0.04757840467505732}}, .status = PTC_OK, .u = {-0.14304103797494575, -0.019166427014754864}, .axes = {PTC_OK, PTC_OK}},
-    {.command = 2U, .samples = 3000U, .told = PTC_E_RANGE, .found = 0U, .is_armed = 0U, .start = 0U, .k = 150U, .y = {{-0.015544672122973903, 0.05554053339142598, -0.06985994362791126}, {1.7976931348623157e308, 0.2933647864256146, -0.0006330695560733079}}, .status = PTC_E_RANGE, .u = {0.0, 0.0}, .axes = {PTC_OK, PTC_E_RANGE}},
     {.command = 1U, .samples = 40U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 150U, .y = {{0.0007827245427557317, 0.031032916961731938, 6.907342956226237}, {0.6761897454739945, 0.08160768587217798, 52.95660988229738}}, .status = PTC_OK, .u = {-2.1803477962871085, -22.271875367346908}, .axes = {PTC_OK, PTC_OK}},
     {.command = 2U, .samples = 40U, .told = PTC_OK, .found = 38U, .is_armed = 0U, .start = 0U, .k = 2U, .y = {{-0.00013348242763289387, 0.0008190466561284015, -0.017945277922977045}, {-0.042510590743526255, -0.0003238533150685281, 0.0007367960658877273}}, .status = PTC_OK, .u = {0.005349331618185527, -8.415720124078773e-5}, .axes = {PTC_OK, PTC_OK}},
     {.command = 2U, .samples = 3000U, .told = PTC_E_SOON, .found = 0U, .is_armed = 0U, .start = 0U, .k = 1U, .y = {{0.0005012414632111344, 0.17103139777301557, 0.09984537348501266}, {-0.6596497368265117, 0.05893378598518404, 0.8302291301732649}}, .status = PTC_OK, .u = {-0.036769949122609766, -0.33270110593775215}, .axes = {PTC_OK, PTC_OK}},

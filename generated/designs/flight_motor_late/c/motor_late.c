@@ -511,9 +511,7 @@ ptc_status motor_late_step(motor_late *self, uint32_t k, const double x[2], doub
             uint32_t tried = ahead;
             double share = 0.9999999999964774;
             for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
-                const double least = (-MOTOR_LATE_U_MAX) * share;
                 const double most = MOTOR_LATE_U_MAX * share;
-                const double within = (-least < most) ? -least : most;
                 const double most2 = 2.0 * share;
                 uint32_t fits = 0U;
                 if (tried > 2U) {
@@ -538,7 +536,7 @@ ptc_status motor_late_step(motor_late *self, uint32_t k, const double x[2], doub
                     at = node;
                     for (uint32_t bound = 0U; bound < 2U; bound++) {
                         const uint32_t next = at + 1U;
-                        if (fabs(((1.0 - beyond) * ((motor_late_bounds_u[at][0] * x1) + (motor_late_bounds_u[at][1] * x2))) + (beyond * ((motor_late_bounds_u[next][0] * x1) + (motor_late_bounds_u[next][1] * x2)))) <= within) {
+                        if (fabs(((1.0 - beyond) * ((motor_late_bounds_u[at][0] * x1) + (motor_late_bounds_u[at][1] * x2))) + (beyond * ((motor_late_bounds_u[next][0] * x1) + (motor_late_bounds_u[next][1] * x2)))) <= most) {
                             bounded = bounded + 1U;
                             at = at + 36U;
                         } else {
@@ -560,8 +558,8 @@ ptc_status motor_late_step(motor_late *self, uint32_t k, const double x[2], doub
                     if (bounded == 10U) {
                         fits = 1U;
                     }
-                } else if ((fabs(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= within)
-                    && (fabs((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= within)
+                } else if ((fabs(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= most)
+                    && (fabs((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= most)
                     && (fabs(x2) <= most2)
                     && (fabs(((-100.00000000000001) * x1) - (0.49583350693411105 * x2)) <= most2)) {
                     fits = 1U;
@@ -689,9 +687,7 @@ ptc_status motor_late_soonest(const motor_late *self, const double x[2], uint32_
             uint32_t kept = 0U;
             uint32_t tried = 3U;
             for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
-                const double least = 0.9050157280831721 * (-MOTOR_LATE_U_MAX);
                 const double most = 0.9050157280831721 * MOTOR_LATE_U_MAX;
-                const double within = (-least < most) ? -least : most;
                 const double most2 = 1.8100314561663442;
                 uint32_t fits = 0U;
 
@@ -716,7 +712,7 @@ ptc_status motor_late_soonest(const motor_late *self, const double x[2], uint32_
                 at = node;
                 for (uint32_t bound = 0U; bound < 2U; bound++) {
                     const uint32_t next = at + 1U;
-                    if (fabs(((1.0 - beyond) * ((motor_late_bounds_u[at][0] * x1) + (motor_late_bounds_u[at][1] * x2))) + (beyond * ((motor_late_bounds_u[next][0] * x1) + (motor_late_bounds_u[next][1] * x2)))) <= within) {
+                    if (fabs(((1.0 - beyond) * ((motor_late_bounds_u[at][0] * x1) + (motor_late_bounds_u[at][1] * x2))) + (beyond * ((motor_late_bounds_u[next][0] * x1) + (motor_late_bounds_u[next][1] * x2)))) <= most) {
                         bounded = bounded + 1U;
                         at = at + 36U;
                     } else {

@@ -47,8 +47,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef MOTOR_LATE_E93B7B54_HPP
-#define MOTOR_LATE_E93B7B54_HPP
+#ifndef MOTOR_LATE_4A840D27_HPP
+#define MOTOR_LATE_4A840D27_HPP
 
 #include <array>
 #include <cfloat>
@@ -167,9 +167,7 @@ public:
         std::uint32_t tried = ahead;
         double share = 0.9999999999964774;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = (-u_max_) * share;
             const double most = u_max_ * share;
-            const double within = (-least < most) ? -least : most;
             const double most2 = 2.0 * share;
             std::uint32_t fits = 0U;
             if (tried > 2U) {
@@ -194,7 +192,7 @@ public:
                 at = node;
                 for (std::uint32_t bound = 0U; bound < 2U; bound++) {
                     const std::uint32_t next = at + 1U;
-                    if (absolute(((1.0 - beyond) * ((bounds_u_[at][0] * x1) + (bounds_u_[at][1] * x2))) + (beyond * ((bounds_u_[next][0] * x1) + (bounds_u_[next][1] * x2)))) <= within) {
+                    if (absolute(((1.0 - beyond) * ((bounds_u_[at][0] * x1) + (bounds_u_[at][1] * x2))) + (beyond * ((bounds_u_[next][0] * x1) + (bounds_u_[next][1] * x2)))) <= most) {
                         bounded = bounded + 1U;
                         at = at + 36U;
                     } else {
@@ -216,8 +214,8 @@ public:
                 if (bounded == 10U) {
                     fits = 1U;
                 }
-            } else if ((absolute(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= within)
-                && (absolute((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= within)
+            } else if ((absolute(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= most)
+                && (absolute((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= most)
                 && (absolute(x2) <= most2)
                 && (absolute(((-100.00000000000001) * x1) - (0.49583350693411105 * x2)) <= most2)) {
                 fits = 1U;
@@ -341,9 +339,7 @@ public:
         std::uint32_t kept = 0U;
         std::uint32_t tried = 3U;
         for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
-            const double least = 0.9050157280831721 * (-u_max_);
             const double most = 0.9050157280831721 * u_max_;
-            const double within = (-least < most) ? -least : most;
             const double most2 = 1.8100314561663442;
             std::uint32_t fits = 0U;
 
@@ -368,7 +364,7 @@ public:
             at = node;
             for (std::uint32_t bound = 0U; bound < 2U; bound++) {
                 const std::uint32_t next = at + 1U;
-                if (absolute(((1.0 - beyond) * ((bounds_u_[at][0] * x1) + (bounds_u_[at][1] * x2))) + (beyond * ((bounds_u_[next][0] * x1) + (bounds_u_[next][1] * x2)))) <= within) {
+                if (absolute(((1.0 - beyond) * ((bounds_u_[at][0] * x1) + (bounds_u_[at][1] * x2))) + (beyond * ((bounds_u_[next][0] * x1) + (bounds_u_[next][1] * x2)))) <= most) {
                     bounded = bounded + 1U;
                     at = at + 36U;
                 } else {

@@ -396,9 +396,7 @@ top = uint32(81);
 kept = uint32(0);
 tried = uint32(3);
 for attempt = 0:63
-    least = 0.9050157280831721 * (-u_max);
     most = 0.9050157280831721 * u_max;
-    within = pick(-least < most, -least, most);
     most2 = 1.8100314561663442;
     fits = uint32(0);
 
@@ -420,7 +418,7 @@ for attempt = 0:63
     at = node;
     for bound = 0:1
         next = at + uint32(1);
-        if abs(((1.0 - beyond) * ((bounds_u(at + 1, 1) * x1) + (bounds_u(at + 1, 2) * x2))) + (beyond * ((bounds_u(next + 1, 1) * x1) + (bounds_u(next + 1, 2) * x2)))) <= within
+        if abs(((1.0 - beyond) * ((bounds_u(at + 1, 1) * x1) + (bounds_u(at + 1, 2) * x2))) + (beyond * ((bounds_u(next + 1, 1) * x1) + (bounds_u(next + 1, 2) * x2)))) <= most
             bounded = bounded + uint32(1);
             at = at + uint32(36);
         else
@@ -468,13 +466,5 @@ if isfinite(x1) && isfinite(x2)
     end
 else
     status = int32(-3);
-end
-end
-
-function r = pick(condition, yes, no)
-if condition
-    r = yes;
-else
-    r = no;
 end
 end

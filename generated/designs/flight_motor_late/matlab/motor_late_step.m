@@ -466,9 +466,7 @@ kept = uint32(0);
 tried = ahead;
 share = 0.9999999999964774;
 for attempt = 0:63
-    least = (-u_max) * share;
     most = u_max * share;
-    within = pick(-least < most, -least, most);
     most2 = 2.0 * share;
     fits = uint32(0);
     if tried > uint32(2)
@@ -490,7 +488,7 @@ for attempt = 0:63
         at = node;
         for bound = 0:1
             next = at + uint32(1);
-            if abs(((1.0 - beyond) * ((bounds_u(at + 1, 1) * x1) + (bounds_u(at + 1, 2) * x2))) + (beyond * ((bounds_u(next + 1, 1) * x1) + (bounds_u(next + 1, 2) * x2)))) <= within
+            if abs(((1.0 - beyond) * ((bounds_u(at + 1, 1) * x1) + (bounds_u(at + 1, 2) * x2))) + (beyond * ((bounds_u(next + 1, 1) * x1) + (bounds_u(next + 1, 2) * x2)))) <= most
                 bounded = bounded + uint32(1);
                 at = at + uint32(36);
             else
@@ -512,8 +510,8 @@ for attempt = 0:63
         if bounded == uint32(10)
             fits = uint32(1);
         end
-    elseif (abs(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= within) ...
-        && (abs((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= within) ...
+    elseif (abs(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= most) ...
+        && (abs((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= most) ...
         && (abs(x2) <= most2) ...
         && (abs(((-100.00000000000001) * x1) - (0.49583350693411105 * x2)) <= most2)
         fits = uint32(1);
@@ -606,13 +604,5 @@ elseif elapsed < last_now
 else
     u = u_now;
     status = int32(1);
-end
-end
-
-function r = pick(condition, yes, no)
-if condition
-    r = yes;
-else
-    r = no;
 end
 end

@@ -586,9 +586,7 @@ class MotorLate:
             tried = np.asarray(ahead)
             share = np.asarray(0.9999999999964774)
             for _ in range(64):
-                least = (-_U_MAX) * share
                 most = _U_MAX * share
-                within = -least if -least < most else most
                 most2 = 2.0 * share
                 fits = np.asarray(0)
                 if tried > 2:
@@ -609,7 +607,7 @@ class MotorLate:
                     at = node
                     for _ in range(2):
                         next = at + 1
-                        if np.abs(((1.0 - beyond) * ((_BOUNDS_U[at, 0] * x1) + (_BOUNDS_U[at, 1] * x2))) + (beyond * ((_BOUNDS_U[next, 0] * x1) + (_BOUNDS_U[next, 1] * x2)))) <= within:
+                        if np.abs(((1.0 - beyond) * ((_BOUNDS_U[at, 0] * x1) + (_BOUNDS_U[at, 1] * x2))) + (beyond * ((_BOUNDS_U[next, 0] * x1) + (_BOUNDS_U[next, 1] * x2)))) <= most:
                             bounded = bounded + 1
                             at = at + 36
                         else:
@@ -626,8 +624,8 @@ class MotorLate:
                     if bounded == 10:
                         fits = 1
                 elif (
-                    (np.abs(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= within)
-                    and (np.abs((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= within)
+                    (np.abs(((-256.30208116332363) * x1) - (3.7088524090104555 * x2)) <= most)
+                    and (np.abs((243.80208116332363 * x1) + (1.2088524090104558 * x2)) <= most)
                     and (np.abs(x2) <= most2)
                     and (np.abs(((-100.00000000000001) * x1) - (0.49583350693411105 * x2)) <= most2)
                 ):
@@ -735,9 +733,7 @@ class MotorLate:
             kept = np.asarray(0)
             tried = np.asarray(3)
             for _ in range(64):
-                least = 0.9050157280831721 * (-_U_MAX)
                 most = 0.9050157280831721 * _U_MAX
-                within = -least if -least < most else most
                 most2 = _R(1.8100314561663442)
                 fits = np.asarray(0)
 
@@ -758,7 +754,7 @@ class MotorLate:
                 at = node
                 for _ in range(2):
                     next = at + 1
-                    if np.abs(((1.0 - beyond) * ((_BOUNDS_U[at, 0] * x1) + (_BOUNDS_U[at, 1] * x2))) + (beyond * ((_BOUNDS_U[next, 0] * x1) + (_BOUNDS_U[next, 1] * x2)))) <= within:
+                    if np.abs(((1.0 - beyond) * ((_BOUNDS_U[at, 0] * x1) + (_BOUNDS_U[at, 1] * x2))) + (beyond * ((_BOUNDS_U[next, 0] * x1) + (_BOUNDS_U[next, 1] * x2)))) <= most:
                         bounded = bounded + 1
                         at = at + 36
                     else:

@@ -617,9 +617,7 @@ impl MotorLate {
         let mut tried = ahead;
         let mut share = 0.9999999999964774;
         for _ in 0..64 {
-            let least = (-Self::U_MAX) * share;
             let most = Self::U_MAX * share;
-            let within = if -least < most { -least } else { most };
             let most2 = 2.0 * share;
             let mut fits = 0_u32;
             if tried > 2 {
@@ -644,7 +642,7 @@ impl MotorLate {
                 at = node;
                 for _ in 0..2 {
                     let next = at + 1;
-                    if (((1.0 - beyond) * ((Self::BOUNDS_U[at as usize][0] * x1) + (Self::BOUNDS_U[at as usize][1] * x2))) + (beyond * ((Self::BOUNDS_U[next as usize][0] * x1) + (Self::BOUNDS_U[next as usize][1] * x2)))).abs() <= within {
+                    if (((1.0 - beyond) * ((Self::BOUNDS_U[at as usize][0] * x1) + (Self::BOUNDS_U[at as usize][1] * x2))) + (beyond * ((Self::BOUNDS_U[next as usize][0] * x1) + (Self::BOUNDS_U[next as usize][1] * x2)))).abs() <= most {
                         bounded = bounded + 1;
                         at = at + 36;
                     } else {
@@ -666,8 +664,8 @@ impl MotorLate {
                 if bounded == 10 {
                     fits = 1;
                 }
-            } else if ((((-256.30208116332363) * x1) - (3.7088524090104555 * x2)).abs() <= within)
-                && (((243.80208116332363 * x1) + (1.2088524090104558 * x2)).abs() <= within)
+            } else if ((((-256.30208116332363) * x1) - (3.7088524090104555 * x2)).abs() <= most)
+                && (((243.80208116332363 * x1) + (1.2088524090104558 * x2)).abs() <= most)
                 && (x2.abs() <= most2)
                 && ((((-100.00000000000001) * x1) - (0.49583350693411105 * x2)).abs() <= most2)
             {
@@ -798,9 +796,7 @@ impl MotorLate {
         let mut kept = 0_u32;
         let mut tried = 3_u32;
         for _ in 0..64 {
-            let least: f64 = 0.9050157280831721 * (-Self::U_MAX);
             let most: f64 = 0.9050157280831721 * Self::U_MAX;
-            let within = if -least < most { -least } else { most };
             let most2: f64 = 1.8100314561663442;
             let mut fits = 0_u32;
 
@@ -825,7 +821,7 @@ impl MotorLate {
             at = node;
             for _ in 0..2 {
                 let next = at + 1;
-                if (((1.0 - beyond) * ((Self::BOUNDS_U[at as usize][0] * x1) + (Self::BOUNDS_U[at as usize][1] * x2))) + (beyond * ((Self::BOUNDS_U[next as usize][0] * x1) + (Self::BOUNDS_U[next as usize][1] * x2)))).abs() <= within {
+                if (((1.0 - beyond) * ((Self::BOUNDS_U[at as usize][0] * x1) + (Self::BOUNDS_U[at as usize][1] * x2))) + (beyond * ((Self::BOUNDS_U[next as usize][0] * x1) + (Self::BOUNDS_U[next as usize][1] * x2)))).abs() <= most {
                     bounded = bounded + 1;
                     at = at + 36;
                 } else {

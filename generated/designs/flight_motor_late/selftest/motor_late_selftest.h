@@ -8,8 +8,6 @@
  * operations are its own alone, so that a target has to give the same numbers.
  *
  * Outcomes of conditions that no input tried brings about are not exercised:
- *   -least < most: never true in 3679 calls.
- *   -least < most: never true in 3679 calls.
  *   low < top: never false in 3679 calls.
  *   PTC_FINITE_F64(x1): never false in 3679 calls.
  *   PTC_FINITE_F64(x2): never false in 3679 calls.

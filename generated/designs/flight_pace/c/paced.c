@@ -109,7 +109,6 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                 for (uint32_t attempt = 0U; attempt < 64U; attempt++) {
                     const double least = -part;
                     const double most = self->u_max * part;
-                    const double within = (-least < most) ? -least : most;
                     uint32_t fits = 0U;
                     if (tried > 3U) {
                         const double m = (double)tried;
@@ -175,11 +174,15 @@ ptc_status paced_step(paced *self, uint32_t k, const double x[2], double *u)
                             && (end30 <= most)) {
                             fits = 1U;
                         }
-                    } else if ((fabs(((-flat1) - (3.0 * flat2)) - (2.0 * flat3)) <= within)
-                        && (fabs(flat1 + (2.0 * flat2) + flat3) <= within)) {
-                        fits = 1U;
                     } else {
-                        /* neither */
+                        const double end0 = ((-flat1) - (3.0 * flat2)) - (2.0 * flat3);
+                        const double end1 = flat1 + (2.0 * flat2) + flat3;
+                        if ((least <= end0)
+                            && (end0 <= most)
+                            && (least <= end1)
+                            && (end1 <= most)) {
+                            fits = 1U;
+                        }
                     }
                     if (fits == 1U) {
                         kept = tried;

@@ -50,8 +50,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef PACED_4519FAEB_HPP
-#define PACED_4519FAEB_HPP
+#ifndef PACED_47F35F3C_HPP
+#define PACED_47F35F3C_HPP
 
 #include <array>
 #include <cfloat>
@@ -190,7 +190,6 @@ public:
             for (std::uint32_t attempt = 0U; attempt < 64U; attempt++) {
                 const double least = -part;
                 const double most = u_max_ * part;
-                const double within = (-least < most) ? -least : most;
                 std::uint32_t fits = 0U;
                 if (tried > 3U) {
                     const double m = static_cast<double>(tried);
@@ -256,9 +255,12 @@ public:
                         && (end30 <= most)) {
                         fits = 1U;
                     }
-                } else if ((absolute(((-flat1) - (3.0 * flat2)) - (2.0 * flat3)) <= within)
-                    && (absolute(flat1 + (2.0 * flat2) + flat3) <= within)) {
-                    fits = 1U;
+                } else {
+                    const double end0 = ((-flat1) - (3.0 * flat2)) - (2.0 * flat3);
+                    const double end1 = flat1 + (2.0 * flat2) + flat3;
+                    if ((least <= end0) && (end0 <= most) && (least <= end1) && (end1 <= most)) {
+                        fits = 1U;
+                    }
                 }
                 if (fits == 1U) {
                     kept = tried;
@@ -481,11 +483,6 @@ private:
     static constexpr bool finite(double v) noexcept
     {
         return (v >= std::numeric_limits<double>::lowest()) && (v <= (std::numeric_limits<double>::max)());
-    }
-
-    static constexpr double absolute(double v) noexcept
-    {
-        return (v > 0.0) ? v : (0.0 - v);
     }
     /// Weight of x1 in the law.
     static constexpr double s1_1_{10000.0};

@@ -63,7 +63,6 @@ if elapsed < self.last
     for attempt = 0:63
         least = -part;
         most = self.u_max * part;
-        within = pick(-least < most, -least, most);
         fits = uint32(0);
         if tried > uint32(3)
             m = double(tried);
@@ -129,9 +128,12 @@ if elapsed < self.last
                 && (end30 <= most)
                 fits = uint32(1);
             end
-        elseif (abs(((-flat1) - (3.0 * flat2)) - (2.0 * flat3)) <= within) ...
-            && (abs(flat1 + (2.0 * flat2) + flat3) <= within)
-            fits = uint32(1);
+        else
+            end0 = ((-flat1) - (3.0 * flat2)) - (2.0 * flat3);
+            end1 = flat1 + (2.0 * flat2) + flat3;
+            if (least <= end0) && (end0 <= most) && (least <= end1) && (end1 <= most)
+                fits = uint32(1);
+            end
         end
         if fits == uint32(1)
             kept = tried;

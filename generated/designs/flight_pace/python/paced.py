@@ -192,7 +192,6 @@ class Paced:
                 for _ in range(64):
                     least = -part
                     most = self._u_max * part
-                    within = -least if -least < most else most
                     fits = np.asarray(0)
                     if tried > 3:
                         m = _R(tried)
@@ -248,11 +247,11 @@ class Paced:
                             and (least <= end30 <= most)
                         ):
                             fits = 1
-                    elif (
-                        (np.abs(((-flat1) - (3.0 * flat2)) - (2.0 * flat3)) <= within)
-                        and (np.abs(flat1 + (2.0 * flat2) + flat3) <= within)
-                    ):
-                        fits = 1
+                    else:
+                        end0 = ((-flat1) - (3.0 * flat2)) - (2.0 * flat3)
+                        end1 = flat1 + (2.0 * flat2) + flat3
+                        if (least <= end0 <= most) and (least <= end1 <= most):
+                            fits = 1
                     if fits == 1:
                         kept = tried
                         top = tried

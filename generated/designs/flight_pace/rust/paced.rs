@@ -234,7 +234,6 @@ impl Paced {
             for _ in 0..64 {
                 let least = -part;
                 let most = self.u_max * part;
-                let within = if -least < most { -least } else { most };
                 let mut fits = 0_u32;
                 if tried > 3 {
                     let m = tried as f64;
@@ -301,10 +300,12 @@ impl Paced {
                     {
                         fits = 1;
                     }
-                } else if ((((-flat1) - (3.0 * flat2)) - (2.0 * flat3)).abs() <= within)
-                    && ((flat1 + (2.0 * flat2) + flat3).abs() <= within)
-                {
-                    fits = 1;
+                } else {
+                    let end0 = ((-flat1) - (3.0 * flat2)) - (2.0 * flat3);
+                    let end1 = flat1 + (2.0 * flat2) + flat3;
+                    if (least <= end0) && (end0 <= most) && (least <= end1) && (end1 <= most) {
+                        fits = 1;
+                    }
                 }
                 if fits == 1 {
                     kept = tried;

@@ -27,7 +27,7 @@ typedef struct paced_selftest_session {
     uint32_t count;
 } paced_selftest_session;
 
-static const paced_selftest_session paced_selftest_sessions[10] = {
+static const paced_selftest_session paced_selftest_sessions[11] = {
     {.params = {.u_max = (double)INFINITY}, .first = 0U, .count = 48U},
     {.params = {.u_max = (double)INFINITY}, .first = 48U, .count = 3U},
     {.params = {.u_max = (double)INFINITY}, .first = 51U, .count = 2U},
@@ -35,12 +35,13 @@ static const paced_selftest_session paced_selftest_sessions[10] = {
     {.params = {.u_max = (double)INFINITY}, .first = 56U, .count = 3U},
     {.params = {.u_max = (double)INFINITY}, .first = 59U, .count = 2U},
     {.params = {.u_max = (double)INFINITY}, .first = 61U, .count = 1U},
-    {.params = {.u_max = 1.0}, .first = 62U, .count = 7U},
-    {.params = {.u_max = 1.0}, .first = 69U, .count = 5U},
-    {.params = {.u_max = (double)INFINITY}, .first = 74U, .count = 14U},
+    {.params = {.u_max = (double)INFINITY}, .first = 62U, .count = 1U},
+    {.params = {.u_max = 1.0}, .first = 63U, .count = 7U},
+    {.params = {.u_max = 1.0}, .first = 70U, .count = 7U},
+    {.params = {.u_max = (double)INFINITY}, .first = 77U, .count = 14U},
 };
 
-static const paced_selftest_call paced_selftest_calls[88] = {
+static const paced_selftest_call paced_selftest_calls[91] = {
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.75, 0.25}, .status = PTC_LATE, .u = -0.018206583332633752},
     {.is_armed = 0U, .start = 0U, .k = 1U, .y = {0.7350749999999999, 0.245025}, .status = PTC_OK, .u = -0.03640769202946967},
     {.is_armed = 0U, .start = 0U, .k = 2U, .y = {0.7202999999999999, 0.24009999999999998}, .status = PTC_OK, .u = -0.054612759537882},
@@ -102,6 +103,7 @@ static const paced_selftest_call paced_selftest_calls[88] = {
     {.is_armed = 1U, .start = 4294967290U, .k = 90U, .y = {-3.585175536313194e153, -6.557064644594935e153}, .status = PTC_INFEASIBLE, .u = 2.161078557514881e157},
     {.is_armed = 1U, .start = 4294967290U, .k = 78U, .y = {1.4455696947888423e302, 9.966685730714218e301}, .status = PTC_E_RANGE, .u = 0.0},
     {.is_armed = 1U, .start = 0U, .k = 97U, .y = {-4.738738634319199e301, 8.681083203645141e301}, .status = PTC_INFEASIBLE, .u = 4.521711554228071e305},
+    {.is_armed = 0U, .start = 0U, .k = 97U, .y = {5.60239068182508e153, -1.0638892923200089e154}, .status = PTC_SATURATED, .u = -1.0},
     {.is_armed = 1U, .start = 0U, .k = 49U, .y = {-6.969925865008471e301, -1.2135972521739946e302}, .status = PTC_INFEASIBLE, .u = 8.213158025535846e302},
     {.is_armed = 0U, .start = 0U, .k = 0U, .y = {0.2781010062626952, 0.7299343799177456}, .status = PTC_LATE, .u = -0.01305886327790318},
     {.is_armed = 0U, .start = 0U, .k = 7U, .y = {-0.91315220119516, -0.5233251495730313}, .status = PTC_LATE, .u = 0.00010882327815662889},
@@ -112,9 +114,11 @@ static const paced_selftest_call paced_selftest_calls[88] = {
     {.is_armed = 1U, .start = 4294967290U, .k = 4294967292U, .y = {-1.1295539595849167e154, -6.689088159359278e153}, .status = PTC_SATURATED, .u = 1.0},
     {.is_armed = 1U, .start = 0U, .k = 24U, .y = {-980.7356882337248, 310.4685899838245}, .status = PTC_LATE, .u = -3.4450971057517806e-5},
     {.is_armed = 1U, .start = 4294967290U, .k = 4294967292U, .y = {474.8116851764761, 317.1103484138933}, .status = PTC_LATE, .u = -6.804572029417011e-5},
-    {.is_armed = 1U, .start = 4294967290U, .k = 4294967290U, .y = {0.7882081229685903, -0.8260997958450387}, .status = PTC_LATE, .u = 0.005077112813876712},
-    {.is_armed = 0U, .start = 0U, .k = 63U, .y = {0.37623140846405434, 0.8566536825266087}, .status = PTC_LATE, .u = -0.006099581649602666},
-    {.is_armed = 1U, .start = 4294967290U, .k = 78U, .y = {0.34355909782881733, -0.8015809280840673}, .status = PTC_LATE, .u = 0.01010246677578712},
+    {.is_armed = 0U, .start = 0U, .k = 11U, .y = {0.3894503629052933, 0.812550873131496}, .status = PTC_OK, .u = -6.813993996013665e-5},
+    {.is_armed = 1U, .start = 4294967290U, .k = 91U, .y = {-0.5100515915771027, -0.4194034841864838}, .status = PTC_LATE, .u = 0.01688113859512657},
+    {.is_armed = 1U, .start = 4294967290U, .k = 4294967290U, .y = {0.7882081229685903, -0.8260997958450387}, .status = PTC_LATE, .u = 0.02099907383745377},
+    {.is_armed = 0U, .start = 0U, .k = 63U, .y = {0.37623140846405434, 0.8566536825266087}, .status = PTC_LATE, .u = 0.009719866681067299},
+    {.is_armed = 1U, .start = 4294967290U, .k = 78U, .y = {0.34355909782881733, -0.8015809280840673}, .status = PTC_LATE, .u = 0.02583033405160752},
     {.command = 1U, .samples = 1024U, .told = PTC_OK, .found = 0U, .is_armed = 0U, .start = 0U, .k = 50U, .y = {7.309684141600448e-5, -0.03770801174364487}, .status = PTC_OK, .u = 0.000244376897735145},
     {.command = 2U, .samples = 1024U, .told = PTC_OK, .found = 117U, .is_armed = 0U, .start = 0U, .k = 7U, .y = {0.09527314141919903, 0.0002834403462306929}, .status = PTC_AFTER, .u = 0.0},
     {.command = 3U, .samples = 1024U, .told = PTC_OK, .found = 1010U, .is_armed = 0U, .start = 0U, .k = 50U, .y = {-15.367561916847738, 0.8853972510381078}, .status = PTC_LATE, .u = 0.008133077953323638},
@@ -209,7 +213,7 @@ static uint32_t paced_selftest_run(void)
 {
     uint32_t failures = 0U;
 
-    for (uint32_t i = 0U; i < 10U; i++) {
+    for (uint32_t i = 0U; i < 11U; i++) {
         const paced_selftest_session *session = &paced_selftest_sessions[i];
         paced self;
 

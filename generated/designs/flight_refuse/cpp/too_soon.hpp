@@ -46,8 +46,8 @@
  *   loop: not checked: `x0_max` is not given.
  *   envelope: not checked: it does not examine a clock in samples.
  */
-#ifndef TOO_SOON_DE6271D7_HPP
-#define TOO_SOON_DE6271D7_HPP
+#ifndef TOO_SOON_426931A1_HPP
+#define TOO_SOON_426931A1_HPP
 
 #include <array>
 #include <cfloat>
@@ -282,15 +282,6 @@ public:
         const float s28 = v0_c + (0.875f * v1_c) + (0.75f * v2_c) + (0.625f * v3_c);
         const float v7 = s28 + (0.5f * v4_c);
         const float v8 = v0_c + v1_c + v2_c + v3_c + v4_c;
-        const float end61 = (((-72.0f) * w1) - (360.0f * w2)) - (720.0f * w3);
-        const float end62 = ((-48.0f) * w1) - (120.0f * w2);
-        const float end63 = (-24.0f) * w1;
-        const float end64 = (((-0.0168f) * w1) - (0.036f * w2)) - (0.036f * w3);
-        const float end65 = (((-0.006f) * w1) - (0.006f * w2)) + (4.8789098e-18f * w3);
-        const float end66 = ((-0.0012f) * w1) + (4.8789098e-18f * w2) + (4.8789098e-18f * w3);
-        const float end67 = (1.44f * w1) + (4.8f * w2) + (7.2f * w3);
-        const float end68 = ((0.72f * w1) + (1.2f * w2)) - (1.2490009e-15f * w3);
-        const float end69 = (0.24f * w1) + (2.9143354e-15f * w2) + (3.7470027e-15f * w3);
         if ((least <= b0_c)
             && (b0_c <= most)
             && (least <= b1)
@@ -345,24 +336,15 @@ public:
             && (v7 <= most3)
             && (-most3 <= v8)
             && (v8 <= most3)
-            && (least <= end61)
-            && (end61 <= most)
-            && (least <= end62)
-            && (end62 <= most)
-            && (least <= end63)
-            && (end63 <= most)
-            && (-most2 <= end64)
-            && (end64 <= most2)
-            && (-most2 <= end65)
-            && (end65 <= most2)
-            && (-most2 <= end66)
-            && (end66 <= most2)
-            && (-most3 <= end67)
-            && (end67 <= most3)
-            && (-most3 <= end68)
-            && (end68 <= most3)
-            && (-most3 <= end69)
-            && (end69 <= most3)) {
+            && (absolute((((-72.0f) * w1) - (360.0f * w2)) - (720.0f * w3)) <= most)
+            && (absolute(((-48.0f) * w1) - (120.0f * w2)) <= most)
+            && (absolute((-24.0f) * w1) <= most)
+            && (absolute((((-0.0168f) * w1) - (0.036f * w2)) - (0.036f * w3)) <= most2)
+            && (absolute((((-0.006f) * w1) - (0.006f * w2)) + (4.8789098e-18f * w3)) <= most2)
+            && (absolute(((-0.0012f) * w1) + (4.8789098e-18f * w2) + (4.8789098e-18f * w3)) <= most2)
+            && (absolute((1.44f * w1) + (4.8f * w2) + (7.2f * w3)) <= most3)
+            && (absolute(((0.72f * w1) + (1.2f * w2)) - (1.2490009e-15f * w3)) <= most3)
+            && (absolute((0.24f * w1) + (2.9143354e-15f * w2) + (3.7470027e-15f * w3)) <= most3)) {
             fits = 1U;
         }
         if (!((tried > 3U) && (tried < 100001U) && (fits == 1U))) {
@@ -478,15 +460,6 @@ public:
             const float s28 = v0_c + (0.875f * v1_c) + (0.75f * v2_c) + (0.625f * v3_c);
             const float v7 = s28 + (0.5f * v4_c);
             const float v8 = v0_c + v1_c + v2_c + v3_c + v4_c;
-            const float end61 = (((-72.0f) * w1) - (360.0f * w2)) - (720.0f * w3);
-            const float end62 = ((-48.0f) * w1) - (120.0f * w2);
-            const float end63 = (-24.0f) * w1;
-            const float end64 = (((-0.0168f) * w1) - (0.036f * w2)) - (0.036f * w3);
-            const float end65 = (((-0.006f) * w1) - (0.006f * w2)) + (4.8789098e-18f * w3);
-            const float end66 = ((-0.0012f) * w1) + (4.8789098e-18f * w2) + (4.8789098e-18f * w3);
-            const float end67 = (1.44f * w1) + (4.8f * w2) + (7.2f * w3);
-            const float end68 = ((0.72f * w1) + (1.2f * w2)) - (1.2490009e-15f * w3);
-            const float end69 = (0.24f * w1) + (2.9143354e-15f * w2) + (3.7470027e-15f * w3);
             if ((least <= b0_c)
                 && (b0_c <= most)
                 && (least <= b1)
@@ -541,24 +514,15 @@ public:
                 && (v7 <= most3)
                 && (-most3 <= v8)
                 && (v8 <= most3)
-                && (least <= end61)
-                && (end61 <= most)
-                && (least <= end62)
-                && (end62 <= most)
-                && (least <= end63)
-                && (end63 <= most)
-                && (-most2 <= end64)
-                && (end64 <= most2)
-                && (-most2 <= end65)
-                && (end65 <= most2)
-                && (-most2 <= end66)
-                && (end66 <= most2)
-                && (-most3 <= end67)
-                && (end67 <= most3)
-                && (-most3 <= end68)
-                && (end68 <= most3)
-                && (-most3 <= end69)
-                && (end69 <= most3)) {
+                && (absolute((((-72.0f) * w1) - (360.0f * w2)) - (720.0f * w3)) <= most)
+                && (absolute(((-48.0f) * w1) - (120.0f * w2)) <= most)
+                && (absolute((-24.0f) * w1) <= most)
+                && (absolute((((-0.0168f) * w1) - (0.036f * w2)) - (0.036f * w3)) <= most2)
+                && (absolute((((-0.006f) * w1) - (0.006f * w2)) + (4.8789098e-18f * w3)) <= most2)
+                && (absolute(((-0.0012f) * w1) + (4.8789098e-18f * w2) + (4.8789098e-18f * w3)) <= most2)
+                && (absolute((1.44f * w1) + (4.8f * w2) + (7.2f * w3)) <= most3)
+                && (absolute(((0.72f * w1) + (1.2f * w2)) - (1.2490009e-15f * w3)) <= most3)
+                && (absolute((0.24f * w1) + (2.9143354e-15f * w2) + (3.7470027e-15f * w3)) <= most3)) {
                 fits = 1U;
             }
             if (fits == 1U) {
@@ -600,6 +564,11 @@ private:
     static constexpr bool finite(float v) noexcept
     {
         return (v >= std::numeric_limits<float>::lowest()) && (v <= (std::numeric_limits<float>::max)());
+    }
+
+    static constexpr float absolute(float v) noexcept
+    {
+        return (v > 0.0f) ? v : (0.0f - v);
     }
     /// Weight of x1 in the law.
     static constexpr float w1_1_{-120000000.0f};

@@ -41,24 +41,20 @@
  *   v7 <= most3: never false in 3803 calls.
  *   -most3 <= v8: never false in 3803 calls.
  *   v8 <= most3: never false in 3803 calls.
- *   least <= end61: never false in 3803 calls.
- *   end61 <= most: never false in 3803 calls.
- *   least <= end62: never false in 3803 calls.
- *   end62 <= most: never false in 3803 calls.
- *   least <= end63: never false in 3803 calls.
- *   end63 <= most: never false in 3803 calls.
- *   -most2 <= end64: never false in 3803 calls.
- *   end64 <= most2: never false in 3803 calls.
- *   -most2 <= end65: never false in 3803 calls.
- *   end65 <= most2: never false in 3803 calls.
- *   -most2 <= end66: never false in 3803 calls.
- *   end66 <= most2: never false in 3803 calls.
- *   -most3 <= end67: never false in 3803 calls.
- *   end67 <= most3: never false in 3803 calls.
- *   -most3 <= end68: never false in 3803 calls.
- *   end68 <= most3: never false in 3803 calls.
- *   -most3 <= end69: never false in 3803 calls.
- *   end69 <= most3: never false in 3803 calls.
+ *   fabsf((((-72.0f) * w1) - (360.0f * w2)) - (720.0f * w3)) <= most: never false in 3803 calls.
+ *   fabsf(((-48.0f) * w1) - (120.0f * w2)) <= most: never false in 3803 calls.
+ *   fabsf((-24.0f) * w1) <= most: never false in 3803 calls.
+ *   fabsf((((-0.0168f) * w1) - (0.036f * w2)) - (0.036f * w3)) <= most2: never false in 3803
+ *     calls.
+ *   fabsf((((-0.006f) * w1) - (0.006f * w2)) + (4.8789098e-18f * w3)) <= most2: never false in
+ *     3803 calls.
+ *   fabsf(((-0.0012f) * w1) + (4.8789098e-18f * w2) + (4.8789098e-18f * w3)) <= most2: never
+ *     false in 3803 calls.
+ *   fabsf((1.44f * w1) + (4.8f * w2) + (7.2f * w3)) <= most3: never false in 3803 calls.
+ *   fabsf(((0.72f * w1) + (1.2f * w2)) - (1.2490009e-15f * w3)) <= most3: never false in 3803
+ *     calls.
+ *   fabsf((0.24f * w1) + (2.9143354e-15f * w2) + (3.7470027e-15f * w3)) <= most3: never false in
+ *     3803 calls.
  *   low < top: never false in 3803 calls.
  *   PTC_FINITE_F32(flat2): never false in 3803 calls.
  *   PTC_FINITE_F32(flat3): never false in 3803 calls.
