@@ -182,6 +182,8 @@ fn each_mistake_beside_a_robot_has_one_message() {
         ("what = \"jacobian\"", "what = jacobian is of `emit`"),
         ("tip = \"link9\"", "arm.urdf: there is no link `link9`, which `tip` names"),
         ("gravity = 9.81", "gravity = 9.81"),
+        ("friction = -1", "friction = -1"),
+        ("rotor = [1, 2]", "rotor has 2 numbers, and the robot 6 joints"),
         ("reference = [\"0\", \"t\"]", "2 references for 6 outputs"),
         ("limits = [1, 2]", "2 values of `limits` for 6 axes"),
     ] {
