@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use num_traits::Zero;
 
 use super::Robot;
-use crate::algebra::{BigRational, integer};
+use crate::algebra::BigRational;
+#[cfg(feature = "urdf")]
+use crate::algebra::integer;
 use crate::syntax::constant;
 
 /// The drive of a joint, with force rotor a + damping v + friction v/sqrt(v^2 + width^2).
@@ -23,6 +25,7 @@ pub struct Drive {
 
 impl Drive {
     /// A drive without inertia and friction.
+    #[cfg(feature = "urdf")]
     pub(crate) fn none() -> Self {
         let [rotor, damping, friction] = [0; 3].map(integer);
         Self { rotor, damping, friction, width: integer(1) / integer(100) }
