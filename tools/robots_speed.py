@@ -88,7 +88,7 @@ def emitted(command, path, base, tip, folder, guard):
 
 def controller(command, robot, folder):
     """A step of the controller at t = 0.5 s, with limits of u that no torque reaches."""
-    _, folder = robots.compiled(command, "law", robot, [*robots.LAW[:-1], "1e9", *SMOOTH], folder)
+    _, folder = robots.compiled([command], "law", robot, [*robots.LAW[:-1], "1e9", *SMOOTH], folder)
     return {
         "HEAD": '#include "law.h"',
         "BEFORE": "law arm; law_params none; ptc_status axes[N]; double x[2 * N]; (void)a; law_init(&arm, &none);",
