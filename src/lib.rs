@@ -167,6 +167,10 @@ pub use error::Error;
 /// | `tip` | links at the ends of a robot | the name of a link, or a list | all that the base carries |
 /// | `gravity` | acceleration of gravity in the axes of a robot's base, m/s^2 | three numbers | `0,0,-9.81` |
 /// | `payload` | what the tip of a robot carries: mass, kg, and centre in the frame of the tip, m | 4 numbers, or 10 with its inertia about the centre, kg m^2 | none |
+/// | `rotor` | inertia of the rotors of a robot behind their gears, kg m^2, or kg of joints that slide | a number >= 0 for all joints, or one for each | 0 |
+/// | `damping` | viscous friction of the joints of a robot, N m s/rad or N s/m | a number >= 0 for all joints, or one for each | `damping` of `<dynamics>` in the file |
+/// | `friction` | dry friction of the joints of a robot, N m or N | a number >= 0 for all joints, or one for each | `friction` of `<dynamics>` in the file |
+/// | `friction_width` | velocity v0 that smooths the sign of dry friction, v/sqrt(v^2 + v0^2), rad/s or m/s | a number >= 1e-6 for all joints, or one for each | 0.01 |
 /// | `x0_max` | bounds of \|x_i\| at the start | n numbers > 0; with several outputs in samples also a list for each | |
 /// | `x_max` | bounds of \|x_i\| at all times | n numbers > 0 | |
 /// | `allow` | checks that may fail | `membership`, `growth`, `sampling`, `deadline`, `loop`, `envelope`, `zeros` | none |

@@ -22,6 +22,8 @@ import robots
 
 PREFIX = next(Path(p) for p in sys.path if "site-packages" in p) / "cmeel.prefix"
 NAMES = ["panda", "ur5", "xarm7", "z1", "so101", "kinova"]
+# Pinocchio and CasADi are not given the friction of the file.
+SMOOTH = ["--damping", "0", "--friction", "0"]
 
 # One call per state; the sum keeps the calls.
 DRIVER = """
@@ -72,7 +74,7 @@ def build(folder, name, compiler, parts, flags):
 
 
 def emitted(command, path, base, tip, folder, guard):
-    words = [command, "emit", "--lang", "c", "--urdf", str(path), "--what", "inverse-dynamics", "--guard", guard]
+    words = [command, "emit", "--lang", "c", "--urdf", str(path), "--what", "inverse-dynamics", "--guard", guard, *SMOOTH]
     words += ["--base", base] if base else []
     words += ["--tip", tip] if tip else []
     subprocess.run([*words, "--name", f"arm_{guard}", "-o", str(folder)], check=True, stdout=subprocess.DEVNULL)
@@ -86,7 +88,7 @@ def emitted(command, path, base, tip, folder, guard):
 
 def controller(command, robot, folder):
     """A step of the controller at t = 0.5 s, with limits of u that no torque reaches."""
-    robots.compiled(command, "law", robot, [*robots.LAW[:-1], "1e9"], folder)
+    _, folder = robots.compiled([command], "law", robot, [*robots.LAW[:-1], "1e9", *SMOOTH], folder)
     return {
         "HEAD": '#include "law.h"',
         "BEFORE": "law arm; law_params none; ptc_status axes[N]; double x[2 * N]; (void)a; law_init(&arm, &none);",

@@ -28,7 +28,7 @@ pub struct KeyInfo {
 const SWITCH: &str = "true or false";
 
 /// All keys, in the order of the documentation.
-pub static KEYS: [KeyInfo; 81] = [
+pub static KEYS: [KeyInfo; 85] = [
     KeyInfo {
         key: "n",
         meaning: "order of the chain of integrators",
@@ -493,6 +493,30 @@ pub static KEYS: [KeyInfo; 81] = [
         example: "0.5,0,0,0.1",
     },
     KeyInfo {
+        key: "rotor",
+        meaning: "inertia of the rotors of a robot behind their gears, kg m^2, or kg of joints that slide; with urdf",
+        legal: "a number >= 0 for all joints, or one for each; 0 if not given",
+        example: "0.12",
+    },
+    KeyInfo {
+        key: "damping",
+        meaning: "viscous friction of the joints of a robot, N m s/rad or N s/m; with urdf",
+        legal: "a number >= 0 for all joints, or one for each; if not given, the damping of <dynamics> in the file, or 0",
+        example: "0.3",
+    },
+    KeyInfo {
+        key: "friction",
+        meaning: "dry friction of the joints of a robot, N m or N; with urdf",
+        legal: "a number >= 0 for all joints, or one for each; if not given, the friction of <dynamics> in the file, or 0",
+        example: "0.5",
+    },
+    KeyInfo {
+        key: "friction_width",
+        meaning: "velocity v0 that smooths the sign of dry friction, v/sqrt(v^2 + v0^2), rad/s or m/s; with urdf",
+        legal: "a number >= 1e-6 for all joints, or one for each; 0.01 if not given",
+        example: "0.01",
+    },
+    KeyInfo {
         key: "x0_max",
         meaning: "bounds of |x_i| at the start, 0 for a state at rest",
         legal: "n numbers >= 0; with several outputs in samples also a list for each",
@@ -513,9 +537,24 @@ pub static KEYS: [KeyInfo; 81] = [
 ];
 
 /// Keys whose names parameters may have too: the keys of a model, and the capitals that plants are full of.
-pub const PARAMETERS_TOO: [&str; 13] = [
-    "inputs", "outputs", "inertia", "bias", "u_min", "A", "B", "C", "urdf", "base", "tip",
-    "gravity", "payload",
+pub const PARAMETERS_TOO: [&str; 17] = [
+    "inputs",
+    "outputs",
+    "inertia",
+    "bias",
+    "u_min",
+    "A",
+    "B",
+    "C",
+    "urdf",
+    "base",
+    "tip",
+    "gravity",
+    "payload",
+    "rotor",
+    "damping",
+    "friction",
+    "friction_width",
 ];
 
 /// The functions of a robot: further values of `what`.
@@ -534,7 +573,8 @@ impl KeyInfo {
             "A" | "B" | "C" => Some("plant"),
             "states" | "input" | "output" | "dynamics" | "inputs" | "outputs" | "inertia"
             | "bias" | "let" => Some("model"),
-            "urdf" | "base" | "tip" | "gravity" | "payload" => Some("robot"),
+            "urdf" | "base" | "tip" | "gravity" | "payload" | "rotor" | "damping" | "friction"
+            | "friction_width" => Some("robot"),
             _ => None,
         }
     }

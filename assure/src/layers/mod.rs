@@ -24,6 +24,7 @@ mod packages;
 mod projects;
 mod python;
 mod report;
+mod robots;
 mod rules;
 mod rust;
 mod samples;
@@ -69,6 +70,7 @@ pub const LAYERS: &[Layer] = &[
     explorer::LAYER,
     seams::LAYER,
     verdicts::LAYER,
+    robots::LAYER,
     suites::EMITTED,
     suites::LOOPS,
     suites::COMMAND,

@@ -40,6 +40,9 @@ const A: [f64; 3] = [-2.0, 5.0, 0.375];
 fn reference(precision: &str) -> (Request, Robot, Vec<f64>) {
     let pairs = [
         ("urdf", "arm.urdf"),
+        ("rotor", "0.3"),
+        ("damping", "0.7"),
+        ("friction", "1.5"),
         ("what", "inverse-dynamics, mass-matrix, jacobian"),
         ("precision", precision),
     ];

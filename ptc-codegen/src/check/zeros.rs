@@ -15,7 +15,7 @@ use crate::request::{Reference, Spec};
 pub(crate) const NAME: &str = "zeros";
 
 /// Limits of the verdict on a robot.
-const OF_ROBOT: &str = "the plant is taken to be the rigid bodies of the URDF: friction, rotors, springs and limits of positions are not looked at";
+const OF_ROBOT: &str = "the plant is taken to be the rigid bodies of the URDF with the rotors and the friction of the design: springs and limits of positions are not looked at";
 
 /// The values of the parameters that are fixed.
 fn values(spec: &Spec) -> Values {

@@ -46,7 +46,8 @@ pub(super) fn forces(
     for (index, body) in bodies.iter().enumerate().rev() {
         let own = wrench(tape, &movements[index], &body.inertia);
         let all = wrenches[index].plus(tape, &own);
-        forces[index] = all.along(body.motion);
+        let drive = joints.at(bodies, index).drive(tape);
+        forces[index] = tape.add(&all.along(body.motion), &drive);
         if let Some(parent) = body.parent {
             let carried = all.in_parent(tape, &joints.at(bodies, index));
             wrenches[parent] = wrenches[parent].plus(tape, &carried);

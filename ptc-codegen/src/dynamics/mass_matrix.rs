@@ -31,7 +31,10 @@ pub(super) fn entries(tape: &mut Tape, model: &Model, joints: &Joints) -> Vec<Te
         let mut wrench = own.unit(body.motion, tape);
         let mut at = index;
         loop {
-            let entry = wrench.along(bodies[at].motion);
+            let mut entry = wrench.along(bodies[at].motion);
+            if at == index {
+                entry = tape.add(&entry, &Term::from(&body.drive.rotor));
+            }
             entries[index * n + at] = entry.clone();
             entries[at * n + index] = entry;
             let Some(parent) = bodies[at].parent else { break };

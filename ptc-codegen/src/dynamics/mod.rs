@@ -3,6 +3,7 @@
 //! Inputs are the positions x1, ..., xn of the joints, then their velocities and their accelerations. The results are
 //! watched.
 
+mod drive;
 mod inverse_dynamics;
 mod jacobian;
 mod mass_matrix;

@@ -184,6 +184,12 @@ impl Tape {
         Term::Value { negative: *negative, value }
     }
 
+    /// a / b, where b is not 0.
+    pub(super) fn quotient(&mut self, a: &Term, b: &Term) -> Term {
+        let (a, b) = (self.value(a), self.value(b));
+        self.term(Op::Div(a, b))
+    }
+
     /// 2 a.
     pub(super) fn twice(&mut self, a: &Term) -> Term {
         self.mul(&Term::Known(integer(2)), a)

@@ -72,7 +72,20 @@ pub static GROUPS: [Group; 7] = [
             "coast",
         ],
     },
-    Group { title: "Robot", common: &["urdf"], rare: &["base", "tip", "gravity", "payload"] },
+    Group {
+        title: "Robot",
+        common: &["urdf"],
+        rare: &[
+            "base",
+            "tip",
+            "gravity",
+            "payload",
+            "rotor",
+            "damping",
+            "friction",
+            "friction_width",
+        ],
+    },
     Group {
         title: "Checks",
         common: &["x0_max", "error", "allow"],

@@ -12,8 +12,8 @@
 //! gain, and what f is beside the controller's own is not cancelled. Every other name is a symbol of the plant: a number, or bounds within which it is not known.
 //!
 //! With a model the plant is the model, of which `[plant]` may give other rates under `dynamics`, and
-//! other numbers for its parameters; of a mechanical one another `inertia` and `bias`. A robot may carry another
-//! `payload`.
+//! other numbers for its parameters; of a mechanical one another `inertia` and `bias`. A robot may have another
+//! `payload`, `rotor`, `damping`, `friction` and `friction_width`.
 //!
 //! A plant with other states than the law names them under `states`, with their rates and the outputs that the law is
 //! given, or is the chain with one `resonance`.

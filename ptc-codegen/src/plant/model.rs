@@ -15,14 +15,15 @@ use crate::diagnostic::{Diagnostics, counted, near_miss, shorten};
 use crate::expression::{Expression, Scope, Subject, Variable, resolve};
 use crate::model::{Arm, Intermediates};
 use crate::parameter::{Name, Parameter};
-use crate::request::{NO_TIP, Spec, items, known, payload_of};
+use crate::request::{NO_TIP, Spec, driven, items, known, part_of, payload_of};
 use crate::syntax::{Argument, Node, Value};
+use crate::urdf::{Drives, Part};
 
 /// The keys of what differs from the model: its rates, or the equations of a mechanical one.
 const DYNAMICS: [&str; 1] = ["dynamics"];
 const MECHANICS: [&str; 2] = ["inertia", "bias"];
 
-/// The key of the payload, the only part of a robot that may differ.
+/// The key of the payload of a robot, which may differ as the parts of its drives may.
 const PAYLOAD: &str = "payload";
 
 /// The plant of the controller of `spec`, with all mistakes.
@@ -78,14 +79,17 @@ pub(super) fn read(given: &Given<'_>, spec: &Spec, found: &mut Diagnostics) -> P
     plant
 }
 
-/// The robot of the plant, which may carry another payload than the law knows.
+/// The robot of the plant, which may carry another payload, and have other drives, than the law knows.
 fn robot(arm: &Arm, given: &Given<'_>, found: &mut Diagnostics) -> Arm {
     let mut robot = arm.clone();
+    let mut drives = Drives::default();
     for (name, (place, node)) in given {
         let key = format!("{TABLE}.{name}");
-        if *name != PAYLOAD {
+        if let Some(part) = Part::of(name) {
+            drives.0.extend(part_of(part, node, &key, found).map(|numbers| (part, numbers)));
+        } else if *name != PAYLOAD {
             let message = format!("`{name}` under [plant] of a robot");
-            let help = "leave it out: the plant is the robot of the URDF, which may carry another `payload`";
+            let help = "leave it out: the plant is the robot of the URDF, which may have another `payload`, `rotor`, `damping`, `friction` and `friction_width`";
             found.push("conflict", key, Some(*place), message, help);
         } else if let Some(payload) = payload_of(node, &key, found) {
             match arm.carrying(payload) {
@@ -93,6 +97,11 @@ fn robot(arm: &Arm, given: &Given<'_>, found: &mut Diagnostics) -> Arm {
                 None => found.push("bad-value", key, Some(*place), NO_TIP.0, NO_TIP.1),
             }
         }
+    }
+    let at = |key: &str| (format!("{TABLE}.{key}"), given.get(key).map(|(place, _)| *place));
+    if let Some(driven) = driven(&robot.robot, &drives, &at, found) {
+        robot.robot = driven;
+        robot.source.drives = drives.or(&robot.source.drives);
     }
     robot
 }

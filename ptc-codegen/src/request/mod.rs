@@ -46,7 +46,7 @@ pub use read::read_run;
 #[cfg(feature = "urdf")]
 pub(crate) use read::values::{LONGEST_NAME, chosen, hyphenated, named};
 pub use read::{Entry, read};
-pub(crate) use read::{NO_TIP, payload_of};
+pub(crate) use read::{NO_TIP, driven, part_of, payload_of};
 pub(crate) use read::{items, known, meant, state_name};
 #[cfg(feature = "urdf")]
 pub(crate) use read::{robot_of, robot_source};

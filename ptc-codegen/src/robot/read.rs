@@ -1,6 +1,7 @@
 //! The reader of what a design asks for of a robot.
 
 use super::{Quantity, Request};
+use crate::collect::map;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, near_miss};
 use crate::keys::ROBOT_FUNCTIONS;
 use crate::parameter::Precision;
@@ -9,8 +10,22 @@ use crate::syntax::Value;
 use crate::urdf::Source;
 
 /// The keys that a robot takes.
-const KEYS: [&str; 10] =
-    ["name", "what", "precision", "guard", "fma", "urdf", "base", "tip", "gravity", "payload"];
+const KEYS: [&str; 14] = [
+    "name",
+    "what",
+    "precision",
+    "guard",
+    "fma",
+    "urdf",
+    "base",
+    "tip",
+    "gravity",
+    "payload",
+    "rotor",
+    "damping",
+    "friction",
+    "friction_width",
+];
 
 /// Reads what entries ask for of a robot.
 ///
@@ -40,6 +55,7 @@ impl<'a> Reader<'a> {
         Some(Request {
             source: source?,
             file: self.entry("urdf")?.value.clone(),
+            places: map(self.entries.iter().map(|own| (own.key.clone(), own.value.place))),
             quantities: quantities?,
             precision: precision.unwrap_or(Precision::F64),
             guard: guard.unwrap_or(Guard::Full),

@@ -1,7 +1,9 @@
 //! What a design asks for of a robot.
 
+use std::collections::BTreeMap;
+
 use super::Quantity;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::parameter::{Precision, is_reserved};
 use crate::request::{Guard, LONGEST_NAME, robot_of};
 use crate::syntax::Node;
@@ -14,6 +16,8 @@ pub struct Request {
     pub source: Source,
     /// Path of the file with its text.
     pub(super) file: Node,
+    /// Places of all keys.
+    pub(super) places: BTreeMap<String, Place>,
     /// What is generated.
     pub quantities: Vec<Quantity>,
     /// Floating-point type.
@@ -62,7 +66,8 @@ impl Request {
     pub fn robot(&self) -> Result<Robot, Vec<Diagnostic>> {
         let mut found = Diagnostics::default();
         let has_inertia = self.quantities.iter().any(|own| *own != Quantity::Jacobian);
-        let robot = robot_of(&self.file, &self.source, has_inertia, &mut found);
+        let place = |key: &str| self.places.get(key).copied();
+        let robot = robot_of(&self.file, &self.source, has_inertia, &place, &mut found);
         let needs_tip = self.quantities.contains(&Quantity::Jacobian);
         if needs_tip && robot.as_ref().is_some_and(|robot| robot.tip.is_none()) {
             let message = "the Jacobian needs one `tip`: the robot has several ends";

@@ -7,6 +7,7 @@ use roxmltree::{Node, ParsingOptions};
 
 use super::Wrong;
 use super::angle::Angle;
+use super::drive::Drive;
 use super::geometry::{Placement, Vector, roll_pitch_yaw};
 use super::inertia::Inertia;
 use crate::algebra::{BigRational, integer};
@@ -44,6 +45,8 @@ pub(super) struct Joint {
     pub(super) mimics: Option<String>,
     /// Largest torque or force; `None` where the file has none above 0.
     pub(super) effort: Option<BigRational>,
+    /// Its friction; none where the file gives none.
+    pub(super) drive: Drive,
 }
 
 /// Kind of joint.
@@ -179,6 +182,7 @@ fn joint(element: Node<'_, '_>, name: &str) -> Result<Joint, Wrong> {
             None => None,
         },
         effort: effort(element)?,
+        drive: drive(element, name)?,
     })
 }
 
@@ -187,6 +191,22 @@ fn effort(joint: Node<'_, '_>) -> Result<Option<BigRational>, Wrong> {
     let Some(limit) = child(joint, "limit") else { return Ok(None) };
     let Some(text) = limit.attribute("effort") else { return Ok(None) };
     Ok(Some(decimal(limit, "effort", text)?).filter(Signed::is_positive))
+}
+
+/// The damping and friction of `<dynamics>`.
+fn drive(joint: Node<'_, '_>, name: &str) -> Result<Drive, Wrong> {
+    let mut drive = Drive::none();
+    let Some(dynamics) = child(joint, "dynamics") else { return Ok(drive) };
+    let own = [("damping", &mut drive.damping), ("friction", &mut drive.friction)];
+    for (key, value) in own {
+        let Some(text) = dynamics.attribute(key) else { continue };
+        *value = decimal(dynamics, key, text)?;
+        if value.is_negative() {
+            let message = format!("the {key} of joint `{name}` is negative");
+            return Err(wrong(dynamics, message, format!("give {key} >= 0, or leave it out")));
+        }
+    }
+    Ok(drive)
 }
 
 /// The placement of `<origin xyz rpy>` in an element; the frames coincide where there is none.

@@ -9,6 +9,7 @@
 mod angle;
 #[cfg(feature = "urdf")]
 mod document;
+mod drive;
 #[cfg_attr(not(feature = "urdf"), allow(dead_code))]
 mod geometry;
 #[cfg_attr(not(feature = "urdf"), allow(dead_code))]
@@ -18,6 +19,7 @@ mod source;
 #[cfg(feature = "urdf")]
 mod tree;
 
+pub use drive::{Drive, Drives, Part};
 pub use geometry::{Matrix, Placement, Vector};
 pub use inertia::Inertia;
 pub use payload::Payload;
@@ -70,6 +72,8 @@ pub struct Body {
     pub placement: Placement,
     /// Inertia of the body in its own frame.
     pub inertia: Inertia,
+    /// What the drive of the joint adds.
+    pub drive: Drive,
 }
 
 /// A robot: bodies with one degree of freedom each, parents before children.

@@ -1,6 +1,8 @@
 //! The source of a robot: its file, the part that is taken, and its gravity.
 
-use super::Payload;
+use num_traits::Zero;
+
+use super::{Drives, Part, Payload, Robot};
 use crate::algebra::BigRational;
 use crate::syntax::constant;
 
@@ -24,6 +26,8 @@ pub struct Source {
     pub gravity: [BigRational; 3],
     /// Body that the tip carries.
     pub payload: Option<Payload>,
+    /// Parts of the drives that the file does not decide.
+    pub drives: Drives,
 }
 
 impl Source {
@@ -35,7 +39,23 @@ impl Source {
         words.extend((!tips.is_empty()).then(|| format!("--tip {}", quoted(&tips))));
         words.push(format!("--gravity={}", self.gravity_text(",")));
         words.extend(self.payload.as_ref().map(|own| format!("--payload={}", payload_text(own))));
+        words.extend(self.drives.words());
         words
+    }
+
+    /// Returns the parts of the drives of its robot that are those of its file, and not 0.
+    pub(crate) fn of_file<'a>(
+        &'a self,
+        robot: &'a Robot,
+    ) -> impl Iterator<Item = (Part, String)> + 'a {
+        let of_file = [Part::Damping, Part::Friction].into_iter();
+        let of_file = of_file.filter(|part| !self.drives.0.contains_key(part));
+        of_file.filter_map(move |part| {
+            let values: Vec<_> = robot.bodies.iter().map(|body| body.drive.value(part)).collect();
+            let all: Vec<_> = values.iter().map(|own| constant::text(own)).collect();
+            let given = values.iter().any(|own| !own.is_zero());
+            given.then(|| (part, format!("[{}]", all.join(", "))))
+        })
     }
 
     /// Returns the components of gravity with `between` in between.

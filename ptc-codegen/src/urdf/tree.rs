@@ -270,6 +270,7 @@ impl<'a> Assembly<'a> {
             parent,
             placement: place.then(&turned(rotation)),
             inertia: Inertia::none(),
+            drive: joint.drive.clone(),
         });
         (Some(self.robot.bodies.len() - 1), back)
     }

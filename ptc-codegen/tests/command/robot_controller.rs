@@ -150,6 +150,14 @@ fn robot_controllers_refuse_missing_features_by_name() {
             vec!["simulate", "arm.toml", "--x0", "1,1,0,0", "--plant", "m=1"],
             "error[conflict]: `m` under [plant] of a robot",
         ),
+        (
+            vec!["simulate", "arm.toml", "--x0", "1,1,0,0", "--plant", "rotor=1,2,3"],
+            "error[bad-value]: plant.rotor has 3 numbers, and the robot 2 joints",
+        ),
+        (
+            vec!["simulate", "arm.toml", "--x0", "1,1,0,0", "--plant", "damping=-1"],
+            "error[bad-value]: plant.damping = -1",
+        ),
     ] {
         let (code, _, told) = run_in(&folder, &words);
         assert!(code != Some(0) && told.starts_with(expected), "{words:?}: {told}");
@@ -159,8 +167,5 @@ fn robot_controllers_refuse_missing_features_by_name() {
         told.contains("loop        not checked: the loop of a robot has no bounds yet"),
         "{told}"
     );
-    assert!(
-        told.contains("friction, rotors, springs and limits of positions are not looked at"),
-        "{told}"
-    );
+    assert!(told.contains("springs and limits of positions are not looked at"), "{told}");
 }

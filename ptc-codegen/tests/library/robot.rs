@@ -1,5 +1,6 @@
 //! Functions of robots against Lagrange's equations, and mistakes in their files.
 
+mod drives;
 mod dual;
 mod lagrange;
 mod mistakes;

@@ -5,6 +5,7 @@ use num_traits::{ToPrimitive, Zero};
 use super::Choice;
 use crate::algebra::{BigRational, integer};
 use crate::diagnostic::{counted, digits};
+use crate::model::Arm;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::{DelayLaw, Lasting, Observer, Spec, Stationary};
 use crate::samples::{self, Ending, Terminal, held_samples};
@@ -20,6 +21,7 @@ pub fn follows(spec: &Spec) -> Vec<Choice> {
         return all;
     }
     all.extend(efforts(spec));
+    all.extend(spec.arm().into_iter().flat_map(friction));
     all.extend(delay_law(spec));
     all.extend(end(spec));
     all.extend(observer(spec));
@@ -41,6 +43,13 @@ fn efforts(spec: &Spec) -> Option<Choice> {
     let all: Vec<_> = efforts.iter().map(constant::text).collect();
     let (value, reason) = (format!("[{}]", all.join(", ")), "the efforts of the URDF".to_owned());
     Some(Choice { key: "limits", value, reason })
+}
+
+/// Damping and friction of the joints of a robot that are those of its file.
+fn friction(arm: &Arm) -> impl Iterator<Item = Choice> {
+    let reason = "<dynamics> of the URDF";
+    let of_file = arm.source.of_file(&arm.robot);
+    of_file.map(|(part, value)| Choice { key: part.key(), value, reason: reason.to_owned() })
 }
 
 /// The law of a delay, which the number of poles decides.

@@ -63,10 +63,11 @@ impl Arm {
     pub(crate) fn identity(&self) -> String {
         let gravity = &self.source.gravity;
         let bodies = self.robot.bodies.iter().map(|body| {
-            let Body { motion, parent, placement, inertia, .. } = body;
+            let Body { motion, parent, placement, inertia, drive, .. } = body;
             let numbers = [placement.rotation.concat(), placement.origin.to_vec()].concat();
             let moments = [inertia.first.to_vec(), inertia.second.concat()].concat();
-            format!("{motion:?} {parent:?} {numbers:?} {:?} {moments:?}", inertia.mass)
+            let drive = drive.text().unwrap_or_default();
+            format!("{motion:?} {parent:?} {numbers:?} {:?} {moments:?} {drive}", inertia.mass)
         });
         format!("{gravity:?} {}", bodies.collect::<Vec<_>>().join(" "))
     }
@@ -77,7 +78,8 @@ fn joint(j: usize, body: &Body) -> String {
         Motion::Revolute => ("revolute", "rad, rad/s, N m"),
         Motion::Prismatic => ("prismatic", "m, m/s, N"),
     };
-    format!("q{j}, dq{j}, torque{j}: {kind} joint {} ({units})", plain(&body.joint))
+    let drive = body.drive.text().map(|text| format!(", {text}")).unwrap_or_default();
+    format!("q{j}, dq{j}, torque{j}: {kind} joint {} ({units}){drive}", plain(&body.joint))
 }
 
 #[cfg(feature = "urdf")]

@@ -25,7 +25,7 @@ pub(crate) use entries::meant;
 pub(crate) use model::state_name;
 pub(crate) use parameters::known;
 pub(crate) use reference::derivatives;
-pub(crate) use robot::{NO_TIP, payload_of};
+pub(crate) use robot::{NO_TIP, driven, part_of, payload_of};
 #[cfg(feature = "cli")]
 pub(crate) use urdf::asks_for_functions;
 #[cfg(feature = "urdf")]

@@ -2,12 +2,14 @@
 
 use super::values::hyphenated;
 use super::{Entry, Reader, items};
-use crate::algebra::BigRational;
-use crate::diagnostic::Diagnostics;
+use num_traits::Signed;
+
+use crate::algebra::{BigRational, integer};
+use crate::diagnostic::{Diagnostics, Place, counted};
 use crate::keys::ROBOT_FUNCTIONS;
 use crate::parameter::Fixed;
 use crate::syntax::{Node, Value};
-use crate::urdf::Payload;
+use crate::urdf::{Drives, Part, Payload, Robot, plain};
 
 impl Reader<'_> {
     /// Refuses a design of functions of a robot, which only `emit` generates, and returns true if it is one.
@@ -24,7 +26,8 @@ impl Reader<'_> {
             self.found.push("conflict", "what", Some(*place), message, help);
             return true;
         }
-        for key in ["base", "tip", "gravity", "payload"] {
+        let of_drives = Part::ALL.map(Part::key);
+        for key in ["base", "tip", "gravity", "payload"].into_iter().chain(of_drives) {
             if let (Some(entry), None) = (given(key), urdf) {
                 let message = format!("`{key}` without a robot");
                 let help = "give urdf, the file of the robot, or leave it out";
@@ -56,6 +59,61 @@ pub(crate) fn payload_of(node: &Node, key: &str, found: &mut Diagnostics) -> Opt
         found.push("bad-value", key, Some(node.place), message, help);
     }
     payload
+}
+
+/// The numbers of a part of the drives: one for all joints, or one for each.
+pub(crate) fn part_of(
+    part: Part,
+    node: &Node,
+    key: &str,
+    found: &mut Diagnostics,
+) -> Option<Vec<BigRational>> {
+    let legal = |number: &BigRational| match part {
+        Part::Width => *number >= narrowest(),
+        _ => !number.is_negative(),
+    };
+    let numbers: Option<Vec<BigRational>> = items(node).iter().map(known).collect();
+    let numbers = numbers.filter(|all| !all.is_empty() && all.iter().all(legal));
+    if numbers.is_none() {
+        let message = format!("{key} = {}", node.value);
+        let (least, unit) = match part {
+            Part::Rotor => ("0", "kg m^2, or kg of a joint that slides"),
+            Part::Damping => ("0", "N m s/rad, or N s/m of a joint that slides"),
+            Part::Friction => ("0", "N m, or N of a joint that slides"),
+            Part::Width => ("1e-6", "rad/s, or m/s of a joint that slides"),
+        };
+        let help = format!(
+            "give one number >= {least} for all joints, or a list with one for each, in {unit}"
+        );
+        found.push("bad-value", key, Some(node.place), message, help);
+    }
+    numbers
+}
+
+/// Least width of dry friction: its square is a number of single precision.
+fn narrowest() -> BigRational {
+    integer(1) / integer(1_000_000)
+}
+
+/// The robot with these drives; `at` gives the key of each part, and its place.
+pub(crate) fn driven(
+    robot: &Robot,
+    drives: &Drives,
+    at: &dyn Fn(&str) -> (String, Option<Place>),
+    found: &mut Diagnostics,
+) -> Option<Robot> {
+    let wrong = match robot.driven(drives) {
+        Ok(robot) => return Some(robot),
+        Err(wrong) => wrong,
+    };
+    let (key, place) = at(wrong.key());
+    let count = drives.0.get(&wrong).map_or(0, Vec::len);
+    let (numbers, joints) = (counted(&count, "number"), counted(&robot.bodies.len(), "joint"));
+    let names: Vec<_> = robot.joints().map(plain).collect();
+    let message = format!("{key} has {numbers}, and the robot {joints}");
+    let help = format!("give one number for all joints, or one for each: {}", names.join(", "));
+    found.push("bad-value", key, place, message, help);
+    None
 }
 
 /// Message and help for a payload that nothing carries.

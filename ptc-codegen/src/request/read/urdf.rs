@@ -2,15 +2,15 @@
 
 use num_traits::Zero;
 
-use super::robot::{NO_TIP, known, payload_of};
+use super::robot::{NO_TIP, driven, known, part_of, payload_of};
 #[cfg(feature = "cli")]
 use super::{Entry, robot::asked_for};
 use crate::algebra::BigRational;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Place};
 #[cfg(feature = "cli")]
 use crate::request::What;
 use crate::syntax::{Node, Value, number};
-use crate::urdf::{self, Ends, Payload, Robot, Source};
+use crate::urdf::{self, Drives, Ends, Part, Payload, Robot, Source};
 
 /// Returns true if entries describe functions of a robot, and not its controller.
 #[cfg(feature = "cli")]
@@ -37,8 +37,9 @@ pub(crate) fn robot_source<'a>(
     let base = value("base").map(|node| node.value.to_string());
     let tips = value("tip").map(names).unwrap_or_default();
     let (gravity, payload) = (gravity(value("gravity"), found), payload(value("payload"), found));
-    let (gravity, payload) = (gravity?, payload?);
-    Some(Source { urdf: path, ends: Ends { base, tips }, gravity, payload })
+    let drives = drives(value, found);
+    let (gravity, payload, drives) = (gravity?, payload?, drives?);
+    Some(Source { urdf: path, ends: Ends { base, tips }, gravity, payload, drives })
 }
 
 fn gravity(node: Option<&Node>, found: &mut Diagnostics) -> Option<[BigRational; 3]> {
@@ -65,6 +66,14 @@ fn payload(node: Option<&Node>, found: &mut Diagnostics) -> Option<Option<Payloa
     node.map(|node| payload_of(node, "payload", found)).map_or(Some(None), |own| own.map(Some))
 }
 
+/// The parts of the drives that are given; `None` if one cannot be read.
+fn drives<'a>(value: &dyn Fn(&str) -> Option<&'a Node>, found: &mut Diagnostics) -> Option<Drives> {
+    let given = Part::ALL.into_iter().filter_map(|part| Some((part, value(part.key())?)));
+    let read: Vec<_> =
+        given.map(|(part, node)| Some((part, part_of(part, node, part.key(), found)?))).collect();
+    Some(Drives(read.into_iter().collect::<Option<_>>()?))
+}
+
 /// The names in a list, or in a text with commas.
 fn names(node: &Node) -> Vec<String> {
     match &node.value {
@@ -73,25 +82,27 @@ fn names(node: &Node) -> Vec<String> {
     }
 }
 
-/// The robot of the value of `urdf`; with mass in everything that moves, if it `has_inertia`.
+/// The robot of the value of `urdf`; with mass in everything that moves, if it `has_inertia`. `place` gives those of the
+/// other keys.
 pub(crate) fn robot_of(
     node: &Node,
     source: &Source,
     has_inertia: bool,
+    place: &dyn Fn(&str) -> Option<Place>,
     found: &mut Diagnostics,
 ) -> Option<Robot> {
-    let (path, place) = (&source.urdf, node.place);
+    let (path, file) = (&source.urdf, node.place);
     let text = match &node.value {
         Value::File(_, Ok(text)) => text,
         Value::File(_, Err(why)) => {
             let help = "give a text file that can be read";
-            found.push("bad-value", "urdf", Some(place), why, help);
+            found.push("bad-value", "urdf", Some(file), why, help);
             return None;
         }
         _ => {
             let message = format!("{path} has not been read");
             let help = "use the command `ptc-codegen`, which reads files beside the design";
-            found.push("bad-value", "urdf", Some(place), message, help);
+            found.push("bad-value", "urdf", Some(file), message, help);
             return None;
         }
     };
@@ -100,14 +111,14 @@ pub(crate) fn robot_of(
         Err(wrong) => {
             let line = wrong.line.map(|line| format!(", line {line}")).unwrap_or_default();
             let message = format!("{path}{line}: {}", wrong.message);
-            found.push("bad-value", "urdf", Some(place), message, wrong.help);
+            found.push("bad-value", "urdf", Some(file), message, wrong.help);
             return None;
         }
     };
     if let Some(joint) = robot.without_mass().filter(|_| has_inertia) {
         let message = format!("{path}: what joint `{joint}` moves has no inertia");
         let help = "give <inertial> with <mass> and <inertia> to its child link, or to a link that is fixed to it";
-        found.push("bad-value", "urdf", Some(place), message, help);
+        found.push("bad-value", "urdf", Some(file), message, help);
         return None;
     }
     let carried = match &source.payload {
@@ -116,7 +127,7 @@ pub(crate) fn robot_of(
     };
     if carried.is_none() {
         let (message, help) = NO_TIP;
-        found.push("bad-value", "payload", None, message, help);
+        found.push("bad-value", "payload", place("payload"), message, help);
     }
-    carried
+    driven(&carried?, &source.drives, &|key| (key.to_owned(), place(key)), found)
 }

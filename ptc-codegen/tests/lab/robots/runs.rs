@@ -75,7 +75,30 @@ fn sampled_arms_follow_references() {
 /// 0.6/0.85 of what the law wants.
 #[test]
 fn unknown_payloads_slow_a_joint() {
-    let joint = Joint {
+    let joint = weightless();
+    let more = "gravity = [0, 0, 0]\n[plant]\npayload = [1, 0, 0.5, 0]\n";
+    moves_as(("payload", &joint, more), "g = \"0.6/0.85\"");
+}
+
+/// With a rotor of 0.4 kg m^2 and damping of 0.3 N m s/rad that the law does not know, the joint of 0.6 kg m^2 is a chain
+/// with g = 0.6 and f = -0.3 x2; where the law knows them, nothing is left of them.
+#[test]
+fn unknown_drives_act_on_a_joint_and_known_ones_are_compensated() {
+    let joint = weightless();
+    let given = "rotor = 0.4\ndamping = 0.3\n";
+    let dry = "friction_width = 0.5\nfriction";
+    let more = format!("gravity = [0, 0, 0]\n[plant]\n{given}");
+    moves_as(("drive", &joint, &more), "g = \"0.6\"\nf = \"-0.3*x2\"");
+    let more = format!("gravity = [0, 0, 0]\n{given}{dry} = 2\n");
+    moves_as(("known", &joint, &more), "g = 1");
+    // Of what the law knows and the joint has not, the opposite acts.
+    let more = format!("{more}[plant]\nrotor = 0\ndamping = 0.3\nfriction = 1\n");
+    moves_as(("other", &joint, &more), "g = \"1/0.6\"\nf = \"x2/sqrt(x2^2 + 0.25)/0.6\"");
+}
+
+/// A joint of 0.6 kg m^2.
+fn weightless() -> Joint {
+    Joint {
         kind: "revolute",
         parent: 0,
         origin: [0.1, 0.2, 0.0],
@@ -85,11 +108,14 @@ fn unknown_payloads_slow_a_joint() {
         centre: [0.5, 0.0, 0.0],
         centre_angles: [0.0; 3],
         inertia: [0.0, 0.0, 0.1, 0.0, 0.0, 0.0],
-    };
-    let more = "gravity = [0, 0, 0]\n[plant]\npayload = [1, 0, 0.5, 0]\n";
-    let folder = written("payload", &[joint], more);
+    }
+}
+
+/// Runs a joint and the chain of its law with another plant.
+fn moves_as((test, joint, more): (&str, &Joint, &str), plant: &str) {
+    let folder = written(test, std::slice::from_ref(joint), more);
     let (law, _) = LAW.split_once("[robot]").expect("a robot");
-    let chain = format!("n = 2\n{law}[plant]\ng = \"0.6/0.85\"\n");
+    let chain = format!("n = 2\n{law}[plant]\n{plant}\n");
     fs::write(folder.join("chain.toml"), chain).expect("a file");
     let run = |design: &str| rows(&folder, &[design, "--x0", "0.5,-0.3"], 2);
     let (arm, chain) = (run("arm.toml"), run("chain.toml"));

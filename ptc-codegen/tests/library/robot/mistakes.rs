@@ -191,6 +191,8 @@ fn each_mistake_beside_a_robot_has_one_message() {
             "tip = \"link2\"\npayload = [1, 0, 0, 0, 1, 1, 1, 2, 0, 0]",
             "payload = [1, 0, 0, 0, 1, 1, 1, 2, 0, 0]",
         ),
+        ("friction = -1", "friction = -1"),
+        ("rotor = [1, 2]", "rotor has 2 numbers, and the robot 6 joints"),
         ("reference = [\"0\", \"t\"]", "2 references for 6 outputs"),
         ("limits = [1, 2]", "2 values of `limits` for 6 axes"),
     ] {

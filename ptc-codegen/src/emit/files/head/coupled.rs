@@ -104,9 +104,9 @@ pub fn law(coupled: &Coupled) -> Vec<String> {
         Inverse::Inertia { .. } => {
             lines.push("u = M v + bias".to_owned());
         }
-        Inverse::Robot(_) => {
+        Inverse::Robot(arm) => {
             lines.push("u by the recursive Newton-Euler algorithm: the torques with which the joints have the accelerations v.".to_owned());
-            lines.push("Rigid bodies: friction, springs, the inertia of rotors, and limits of positions are not modelled.".to_owned());
+            lines.push(super::robot::bodies(&arm.robot));
         }
     }
     lines

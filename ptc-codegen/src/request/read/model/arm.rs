@@ -42,7 +42,8 @@ impl Reader<'_> {
         self.robot_alone()?;
         let (keys, node) = (&self.keys, *self.keys.get(URDF)?);
         let source = robot_source(&|key| keys.get(key).copied(), &mut self.found)?;
-        let robot = robot_of(node, &source, true, &mut self.found)?;
+        let place = |key: &str| keys.get(key).map(|node| node.place);
+        let robot = robot_of(node, &source, true, &place, &mut self.found)?;
         let joints = robot.bodies.len();
         if !INPUTS.admits(joints) {
             let message = format!("{} of a controller", counted(&joints, "joint"));
