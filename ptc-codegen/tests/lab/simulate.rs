@@ -67,28 +67,6 @@ fn the_exact_solution_of_the_rational_family() {
     }
 }
 
-/// The lift of docs/guide/states.md: its law has a state w, and 3 N act that it does not know. The solution
-/// is derived in docs/theory/states.md.
-#[test]
-fn exact_solution_of_a_law_with_a_state() {
-    let page = include_str!("../../../docs/guide/states.md");
-    let design = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next());
-    let text = design.expect("a design").replace("eps = 0.01", "eps = 1e-7");
-    for (force, b) in [("3", -25.5), ("0", -27.0), ("-20", -37.0)] {
-        let text = text.replace("(F + 3)", &format!("(F + {force})"));
-        let shares: Vec<_> = (0..=60).map(|i| 10f64.powf(-f64::from(i) / 10.0)).collect();
-        for (t, x, u) in continuous(&text, &[], &[1.0, 0.0, 0.0], &shares) {
-            let [third, fourth, fifth] = [10.0 + b / 2.0, -15.0 - b, 6.0 + b / 2.0];
-            let sum = |[p, q, r]: [f64; 3]| p * third + q * fourth + r * fifth;
-            close(x[0] / t.powi(3), sum([1.0, t, t * t]), "x1/T^3");
-            close(x[1] / (t * t), -sum([3.0, 4.0 * t, 5.0 * t * t]), "x2/T^2");
-            // The acceleration is b + 27 + u/2.
-            let wanted = 2.0 * (sum([6.0 * t, 12.0 * t * t, 20.0 * t.powi(3)]) - b - 27.0);
-            close(u, wanted, "u");
-        }
-    }
-}
-
 const EXAMPLE: &str = include_str!("../../../tests/designs/example4.toml");
 
 const PLANT: &str = "\n[plant]\nf = \"0.1 - t^3*exp(-t)*sin(x1/(u + 0.001)) - 0.5*u\"\n";
