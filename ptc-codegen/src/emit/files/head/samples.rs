@@ -24,7 +24,7 @@ pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
 }
 
 /// The plant, the law and the observer of a controller, as they are in the head of its files.
-#[cfg(feature = "lab")]
+#[cfg(feature = "cli")]
 pub(in crate::emit) fn law(spec: &Spec) -> Vec<String> {
     let Some(sampled) = spec.sampled() else { return Vec::new() };
     let mut lines = vec![plant_line(spec, sampled)];
