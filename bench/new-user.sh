@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# How long a new user waits for a first C file, a first picture and a first verified loop.
+# How long new users wait for a first C file, for the C and the Structured Text of a plant of their own, a first picture
+# and a first verified loop, a crate with the macro, and a run in Python.
 #
 #     bench/new-user.sh [COMMAND...]
 #
-# In a fresh Debian root, with what README.md says one needs and nothing else, it clones HEAD and runs the
-# first `emit`, `simulate` and `verify` of README.md, and any COMMAND after them, each a line of shell such as
-# 'cargo test --workspace'. It prints the table that `ptc-bench report` puts into docs/benchmarks/builds.md. It needs
+# In a fresh Debian root, with what README.md says one needs, Python and nothing else, it clones HEAD and runs the
+# first `emit`, `simulate` and `verify` of README.md, the steps of docs/start.md and docs/guide/python.md, and any
+# COMMAND after them, each a line of shell such as 'cargo test --workspace'. It prints the table that `ptc-bench report` puts into docs/benchmarks/builds.md. It needs
 # root and debootstrap; without them it says so, and uses an empty home on this system.
 #
 # RUST    the toolchain, mounted read-only in place of the one that rustup would download; default: this one
@@ -16,7 +17,7 @@ cd "$(dirname "$0")/.."
 RUST=${RUST:-$(rustc --print sysroot)}
 MIRROR=${MIRROR:-http://deb.debian.org/debian}
 FOLDER=${FOLDER:-$(mktemp -d)}
-needed=ca-certificates,git,gcc,libc6-dev
+needed=ca-certificates,git,gcc,libc6-dev,python3-venv
 trap 'rm -rf "$FOLDER"' EXIT
 
 # user COMMAND: runs it as the new user, in the clone where there is one.
@@ -54,6 +55,14 @@ measured() {
 # The first line of README.md that runs a sub-command, without its comment.
 shown() { sed -n "s/ *#.*//; /^cargo run .* -- $1 /{p;q}" README.md; }
 
+# A crate beside the clone, with the program of docs/start.md.
+crate="mkdir -p ../robot/src && cp examples/encoder.toml ../robot && \
+awk '/^\`\`\`rust\$/ { on = 1; next } /^\`\`\`\$/ { on = 0 } on' docs/start.md | sed 's|examples/||' >../robot/src/main.rs && \
+cd ../robot && printf '[package]\nname = \"robot\"\nedition = \"2024\"\n[dependencies]\nptc = { path = \"../ptc\" }\n' >Cargo.toml && cargo run -q"
+python="python3 -m venv ../python && ../python/bin/pip install -q . && ../python/bin/python -c \"import ptc_codegen as ptc; \
+ptc.simulate(ptc.Design.load('examples/table.toml', t0=0), [1, 0.5]).plot().save('table.svg')\""
+own='cargo run -q -p ptc-codegen --'
+
 if [[ $(id -u) == 0 ]] && command -v debootstrap >/dev/null; then
     system=debian
 else
@@ -64,7 +73,11 @@ export RUST FOLDER MIRROR needed system
 mkdir -p "$FOLDER/root"
 git bundle create --quiet "$FOLDER/root/ptc.bundle" HEAD
 {
-    printf '%s\t%s\n' 'first C' "$(shown emit)" 'first picture' "$(shown simulate)" 'first verified loop' "$(shown verify)"
+    printf '%s\t%s\n' 'first C' "$(shown emit)" \
+        'a plant of their own: `new` and `check`' "$own new belt --plant stage --limit 100 && $own check belt.toml" \
+        'its C' "$own emit belt.toml --lang c -o out" 'its Structured Text' "$own emit belt.toml --lang st -o out" \
+        'first picture' "$(shown simulate)" 'first verified loop' "$(shown verify)" \
+        'a crate with the macro' "$crate" 'Python: `pip install .` and a picture' "$python"
     for command in "$@"; do printf '`%s`\t%s\n' "$command" "$command"; done
 } >"$FOLDER/commands"
 # The mounts end with their name space, before the folder is removed.

@@ -260,6 +260,7 @@ pub(super) fn new_user(text: &mut String, table: &str) {
 }
 
 const NEW_USER: &str = "\
-A fresh Debian 12 with what the README says one needs, a clone, then the first `emit`, `simulate` and `verify` of the
-README. Crates are downloaded; Debian's packages and the Rust toolchain are there at the start and not counted.
+A fresh Debian 12 with Python and what the README says one needs, a clone, then the first `emit`, `simulate` and `verify`
+of the README, a plant of their own, a crate with the macro, and Python. Crates are downloaded; Debian's packages and the
+Rust toolchain are there at the start and not counted.
 Minutes are wall time, here beside other builds on the same two cores: processor seconds are what to compare.";

@@ -39,7 +39,10 @@ pub fn latex(poly: &Poly) -> String {
         &Notation {
             power: &|s, e| match (e, s.latex()) {
                 (1, name) => name,
-                (_, name) if name.contains(['\'', '^']) && !name.starts_with('(') => {
+                (_, name)
+                    if (name.contains(['\'', '^']) || name.contains(r"\tfrac"))
+                        && !name.starts_with('(') =>
+                {
                     format!("\\left({name}\\right)^{{{e}}}")
                 }
                 (_, name) => format!("{name}^{{{e}}}"),

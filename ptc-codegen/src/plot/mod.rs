@@ -131,9 +131,12 @@ impl Drawing for Figure {
         let (head, body) = page.split_vertically(pen.px(style::head_height(self, pen)?));
         style::head(self, &head, pen)?;
         let panels = Panel::all(self);
-        let places = body.split_evenly((panels.len().div_ceil(2), 2));
-        for (panel, place) in panels.iter().zip(&places) {
-            panel.draw(self, place, pen)?;
+        let rows = body.split_evenly((panels.len().div_ceil(2), 1));
+        for (row, place) in panels.chunks(2).zip(&rows) {
+            // A panel alone in the last row takes all of it.
+            for (panel, place) in row.iter().zip(&place.split_evenly((1, row.len()))) {
+                panel.draw(self, place, pen)?;
+            }
         }
         Ok(())
     }

@@ -119,7 +119,7 @@ impl Panel {
     /// The top of the highest place for a name left of `at` that no run and no bound crosses, else that of the panel.
     fn free(self, figure: &Figure, at: f64, across: (f64, f64), up: (f64, f64)) -> f64 {
         let room = NAME.1 * (up.1 - up.0);
-        let from = at - NAME.0 * (across.1 - across.0);
+        let from = at - (NAME.0 + 2.0 * GAP) * (across.1 - across.0);
         let levels = self.levels(figure).into_iter();
         let mut lines: Vec<_> = levels.map(|level| [self.drawn(figure, level); 2]).collect();
         for trace in &figure.traces {

@@ -2,10 +2,16 @@
 
 use num_traits::ToPrimitive;
 
-use super::{Figure, Quantity, Trace};
+use super::{Figure, Quantity, Trace, range};
 use crate::program::range::Range;
 use crate::request::Spec;
 use crate::simulate::kept::Kept;
+
+/// Most states and most inputs that the legend lists of a run.
+const LISTED: usize = 3;
+
+/// Characters of a label beside which there is room for so many.
+const SHORT: usize = 24;
 
 /// A run that is drawn.
 pub struct Drawn<'a> {
@@ -29,10 +35,25 @@ impl Drawn<'_> {
         format!("tau = {tau} s")
     }
 
+    /// Returns the last states and the largest inputs, for the legend: of each as many as fit.
+    fn outcome(&self, spec: &Spec) -> String {
+        let Some(last) = self.kept.last() else { return String::new() };
+        let most = if self.label.len() > SHORT { 1 } else { LISTED };
+        let list = |names: Vec<String>, values: &mut dyn Iterator<Item = f64>| {
+            let more = if names.len() > most { ", .." } else { "" };
+            let named = names.iter().zip(values).take(most);
+            let all = named.map(|(name, value)| format!("{name} = {}", range::label(value)));
+            all.collect::<Vec<_>>().join(", ") + more
+        };
+        let inputs = spec.input_names().iter().map(|name| format!("|{name}|")).collect();
+        let peaks = list(inputs, &mut self.kept.peaks.iter().map(|(peak, _)| *peak));
+        format!(": final {}; peak {peaks}", list(spec.state_names(), &mut last.x.iter().copied()))
+    }
+
     fn trace(&self, spec: &Spec) -> Trace {
         let (states, inputs) = (spec.states(), spec.input_names().len());
         Trace {
-            label: self.label.clone(),
+            label: format!("{}{}", self.label, self.outcome(spec)),
             start: self.t0,
             deadline: self.t0 + self.tau,
             t: self.kept.instants(|row| row.t),

@@ -8,8 +8,8 @@ use crate::algebra::BigRational;
 use crate::parameter::{Fixed, Parameter};
 use crate::request::Spec;
 
-/// u = sum_j row_j z_j h^(j-1)/((M-j+1)...(M-m+1)) less the drift of z, z = S x, with M - s samples to go, s its
-/// shift.
+/// With z = S x and M - s samples to go, s its shift, u h^m = sum_j row_j z_j h^(j-1)/((M-j+1)...(M-m+1)); of a linear
+/// plant u = sum_j row_j z_j/((M-j+1)...(M-m+1)) less the drift of z, as its z are differences.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers {
     /// S, row by row: of the states, then of the inputs under way, the latest first.
@@ -28,9 +28,11 @@ impl Numbers {
         let flat = Coordinates::of(spec.n, sampled, Some(h))?;
         let order = spec.loop_order();
         let h = h.to_f64()?;
+        // The flat coordinates are differences: h^(m-i) times them are the z of the formula in h, i from 0.
+        let scale = |i: usize| if sampled.linear.is_some() { 0 } else { order - i };
         let entry = |i: usize, j: usize| {
-            let power = i32::try_from(flat.powers[j]).unwrap_or(0);
-            flat.s.at(i, j).to_f64().map(|value| value * h.powi(-power))
+            let power = i32::try_from(scale(i)).ok()? - i32::try_from(flat.powers[j]).ok()?;
+            flat.s.at(i, j).to_f64().map(|value| value * h.powi(power))
         };
         let row =
             |i: usize| (0..flat.powers.len()).map(|j| entry(i, j)).collect::<Option<Vec<_>>>();

@@ -93,6 +93,14 @@ fn latex_is_balanced() {
 }
 
 /// Braces, environments and `\left` match, and no superscript follows another.
+/// The power of a fraction and its factor is that of both.
+#[test]
+fn latex_powers_apply_to_whole_quantities() {
+    let latex = stdout(&["show", "law", "--n=3", "--mu=tan", "--format=latex"]);
+    assert!(latex.contains(r"\left(\tfrac{\pi}{2\tau}y\right)^{2}"), "{latex}");
+    assert!(!latex.contains(r"\tfrac{\pi}{2\tau}y^"), "{latex}");
+}
+
 fn balanced(latex: &str) {
     let count = |what: &str| latex.matches(what).count();
     assert_eq!(count("{"), count("}"), "{latex}");
@@ -163,4 +171,40 @@ fn a_mapping_that_is_an_expression_is_shown_in_r_k() {
     assert_eq!(law["r"][1]["expression"], "-a^2*T");
     let latex = stdout(&["show", "r", "--n=2", "--mu=tau*a*t/(1 + a*t)", "--format=latex"]);
     assert!(latex.contains("r_{1} &= \\frac{"), "{latex}");
+}
+
+/// With poles -2 and -3 the solutions are the falling powers M (M-1) and M (M-1) (M-2).
+#[test]
+fn law_in_samples_has_its_exact_solutions() {
+    let design =
+        "n = 2\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.1\ngains = [6, 5]\n";
+    let path = support::folder_with("show_samples", "design.toml", design).join("design.toml");
+    let path = path.to_str().expect("a path");
+    let found = json(&["show", "law", path, "--format=json"]);
+    let s = |i: usize, j: usize| found["S"][i][j].as_f64().expect("a number");
+    let row = |j: usize| {
+        let text = found["row"][j]["terms"][0]["coefficient"].as_str().expect("a number");
+        text.parse::<f64>().expect("an integer")
+    };
+    let (h, mut x, mut seen) = (0.1, [1.0, -0.5], Vec::new());
+    for left in (3..=20).rev() {
+        let m = f64::from(left);
+        let z = [0, 1].map(|i| s(i, 0) * x[0] + s(i, 1) * x[1]);
+        seen.push((m, z[0]));
+        let u = (row(0) * z[0] / (m * (m - 1.0)) + row(1) * z[1] * h / (m - 1.0)) / (h * h);
+        x = [x[0] + h * x[1] + h * h / 2.0 * u, x[1] + h * u];
+    }
+    // z_1/(M (M-1)) is c + d M.
+    let slope = |(m, z): (f64, f64)| z / (m * (m - 1.0));
+    let d = slope(seen[0]) - slope(seen[1]);
+    for &(m, z) in &seen {
+        let wanted = slope(seen[0]) - d * (20.0 - m);
+        assert!((slope((m, z)) - wanted).abs() < 1e-12, "{m}: {z}");
+    }
+    let latex = stdout(&["show", "law", path, "--format=latex"]);
+    balanced(&latex);
+    assert!(latex.contains(r"\cdots (M-1)"), "{latex}");
+    assert!(
+        stderr(&["show", "bell", path], 2).contains("show bell does not know a clock in samples")
+    );
 }

@@ -107,7 +107,8 @@ fn csv_contains_the_requested_instants() {
         stdout(&folder, &["stage.toml", "--x0=1,0", "-o", "out/one.csv", "--plot", "out/run.svg"]);
     assert_eq!(told, "wrote out/one.csv\nwrote out/run.svg\n");
     let svg = fs::read_to_string(folder.join("out/run.svg")).expect("a file");
-    assert!(svg.contains("stage: n = 2, exp, continuous") && svg.contains("tau = 1 s"));
+    assert!(svg.contains("stage: n = 2, exp, continuous"));
+    assert!(svg.contains("tau = 1 s: final x1 = 3e-18, x2 = -6e-9; peak |u| = 3\n"), "{svg}");
     let told = stdout(&folder, &["stage.toml", "--x0=1,0", "--at=0.5", "--plot", "out/run.PNG"]);
     assert!(told.starts_with("tau,t,") && told.lines().count() == 2, "the CSV alone: {told}");
     assert!(fs::read(folder.join("out/run.PNG")).expect("a file").starts_with(b"\x89PNG"));
@@ -372,4 +373,37 @@ fn plant_values_do_not_influence_eps() {
         csv.lines().filter(|line| line.ends_with("PTC_HOLD")).count()
     };
     assert_eq!(held("gust=0.05"), held("gust=0"));
+}
+
+/// The lift of docs/guide/states.md: its law has a state w, and a force acts that it does not know. The solution is
+/// derived in docs/theory/states.md.
+#[test]
+fn law_with_a_state_has_its_exact_solution() {
+    let page = include_str!("../../../docs/guide/states.md");
+    let design = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next());
+    let design = design.expect("a design").replace("eps = 0.01", "eps = 1e-6");
+    for (force, b) in [("3", -25.5), ("-20", -37.0)] {
+        let folder = folder("state");
+        let design = design.replace("(F + 3)", &format!("(F + {force})"));
+        fs::write(folder.join("lift.toml"), design).expect("writable");
+        let csv = stdout(&folder, &["lift.toml", "--x0=1,0,0", "--at=0.1,0.5,0.9,0.99,0.999"]);
+        let seen = rows(&csv);
+        assert_eq!(seen.len(), 5);
+        for row in seen {
+            let (t, acceleration) = (1.0 - row[1], b + 27.0);
+            let of = [10.0 + b / 2.0, -15.0 - b, 6.0 + b / 2.0];
+            let sum = |all: [f64; 3]| all.iter().zip(of).map(|(p, c)| p * c).sum::<f64>();
+            let wanted = [
+                sum([1.0, t, t * t]) * t.powi(3),
+                -sum([3.0, 4.0 * t, 5.0 * t * t]) * t * t,
+                2.0 * (sum([6.0, 12.0 * t, 20.0 * t * t]) * t - acceleration),
+            ];
+            for ((found, wanted), power) in
+                [row[2], row[3], row[5]].iter().zip(wanted).zip([3, 2, 0])
+            {
+                let off = (found - wanted).abs() / t.powi(power);
+                assert!(off < 1e-9, "T = {t}, force {force}: {found}, not {wanted}");
+            }
+        }
+    }
 }

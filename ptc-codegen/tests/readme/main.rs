@@ -103,6 +103,8 @@ const GUIDE_MODEL: &str = include_str!("../../../docs/guide/model.md");
 
 const GUIDE_TARGET: &str = include_str!("../../../docs/guide/target.md");
 
+const GUIDE_STATES: &str = include_str!("../../../docs/guide/states.md");
+
 const GUIDE_QUADROTOR: &str = include_str!("../../../docs/guide/quadrotor.md");
 
 const GUIDE_UNCERTAIN: &str = include_str!("../../../docs/guide/uncertain.md");
@@ -311,6 +313,19 @@ fn selftest_page_program_runs() {
         "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Iout";
     let sources = "main.c out/stage.c out/stage_selftest.c";
     shell(&format!("{strict} -o demo {sources} -lm && ./demo"), &folder);
+}
+
+#[test]
+fn law_with_a_state_runs_in_c() {
+    let folder = folder("states");
+    for command in blocks_of(GUIDE_STATES, "sh") {
+        printed(command.trim_end(), &folder);
+    }
+    let [program] = &blocks_of(GUIDE_STATES, "c")[..] else { panic!("one program") };
+    let [shown] = &blocks_of(GUIDE_STATES, "text")[..] else { panic!("one output") };
+    fs::write(folder.join("main.c"), program).expect("writable");
+    let strict = "cc -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -ffp-contract=off -Ilift main.c lift/lift.c -lm -o demo && ./demo";
+    assert_eq!(&shell(strict, &folder), shown);
 }
 
 #[test]

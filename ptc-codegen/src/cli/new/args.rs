@@ -12,7 +12,7 @@ use crate::cli::flags::help;
 pub(crate) const EXAMPLES: &str = "\
 The file is a valid design, short, with the units in its comments: `check` accepts it as it is.
 With --all it holds every key, with its legal values. With --from it is a published controller, and
-its head names the paper.
+its head names the paper. A robot needs its URDF file: docs/guide/robots.md has a design for one.
 
 Examples:
   ptc-codegen new belt                      belt.toml, a stage: a mass that a force moves

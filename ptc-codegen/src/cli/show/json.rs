@@ -31,6 +31,7 @@ fn object(sheet: &Sheet) -> Value {
         .iter()
         .map(|block| match block {
             Block::Words { key, text, .. } => ((*key).to_owned(), json!(text)),
+            Block::Numbers { key, rows } => ((*key).to_owned(), json!(rows)),
             Block::Forms(forms) => (forms.key.to_owned(), list(forms)),
             Block::Derivatives(r) => {
                 let form =

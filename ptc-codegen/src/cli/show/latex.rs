@@ -4,7 +4,7 @@ use crate::algebra::{Poly, latex};
 use crate::expression::Expression;
 
 use super::formula;
-use super::sheet::{Block, Form, Forms, Layout, Sheet};
+use super::sheet::{Block, Form, Forms, Layout, Sheet, numbers};
 
 /// Terms on one line of a sum: TeX breaks no line in an alignment, and knows no width over 5 m.
 const TERMS_A_LINE: usize = 5;
@@ -17,6 +17,10 @@ pub(super) fn render(sheet: &Sheet) -> String {
     parts.extend(sheet.blocks.iter().map(|block| match block {
         Block::Words { latex, .. } => format!("\\[\n  {latex}\n\\]\n"),
         Block::Forms(forms) => part(forms),
+        Block::Numbers { key, rows } => {
+            let rows: Vec<_> = numbers(rows).iter().map(|row| row.join(" & ")).collect();
+            matrix(key, &rows)
+        }
         Block::Derivatives(r) => derivatives(r),
     }));
     parts.concat()
@@ -30,14 +34,10 @@ fn derivatives(r: &[Expression]) -> String {
 fn part(forms: &Forms) -> String {
     match (forms.layout, forms.grid(), forms.index) {
         (Layout::Matrix { order }, Some(rows), _) => {
-            let lines: Vec<_> = rows.iter().map(|row| format!("    {}", cells(row))).collect();
+            let rows: Vec<_> = rows.iter().map(|row| cells(row)).collect();
             // b_n is a column; what is written is its transpose.
             let transposed = if forms.index.len() == 1 { "^{T}" } else { "" };
-            format!(
-                "\\[\n  {}_{{{order}}}{transposed} = \\begin{{pmatrix}}\n{}\n  \\end{{pmatrix}}\n\\]\n",
-                forms.latex,
-                lines.join(" \\\\\n")
-            )
+            matrix(&format!("{}_{{{order}}}{transposed}", forms.latex), &rows)
         }
         (Layout::Table { latex, .. }, Some(rows), [row, column]) => {
             let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -59,6 +59,15 @@ fn part(forms: &Forms) -> String {
         (Layout::Table { latex, .. }, None, _) => format!("\\noindent {latex}\n{}", list(forms)),
         _ => list(forms),
     }
+}
+
+/// A matrix with these rows.
+fn matrix(name: &str, rows: &[String]) -> String {
+    let lines: Vec<_> = rows.iter().map(|row| format!("    {row}")).collect();
+    format!(
+        "\\[\n  {name} = \\begin{{pmatrix}}\n{}\n  \\end{{pmatrix}}\n\\]\n",
+        lines.join(" \\\\\n")
+    )
 }
 
 fn cells(row: &[&Poly]) -> String {

@@ -42,7 +42,7 @@ pub(super) fn write(
             let gains = scaled_gains(law).iter().map(&fix).collect();
             sheet.forms(Forms::counted("K", &["i"], gains));
             let mut rows = Forms::counted("row", &["j"], rows);
-            rows.latex = r"\mathrm{row}";
+            rows.latex = "c";
             sheet.forms(rows);
         }
         Form::Series | Form::State => {
@@ -79,16 +79,17 @@ fn factored(n: usize, base_inverse: Option<Symbol>) -> Block {
     let (text, latex) = match base_inverse {
         Some(symbol) => (
             format!("{}^({next}-j) * row_j", symbol.text()),
-            format!(r"\left({}\right)^{{{next}-j}} \mathrm{{row}}_j", symbol.latex()),
+            match symbol.latex().strip_suffix("^{-1}") {
+                Some(base) => format!(r"\frac{{c_j x_j}}{{{base}^{{{next}-j}}}}"),
+                None => format!(r"\left({}\right)^{{{next}-j}} c_j x_j", symbol.latex()),
+            },
         ),
-        None => ("row_j".to_owned(), r"\mathrm{row}_j".to_owned()),
+        None => ("row_j".to_owned(), "c_j x_j".to_owned()),
     };
     Block::Words {
         key: "law",
         text: format!("u = sum_{{j=1..{n}}} gain_j x_j, gain_j = {text}"),
-        latex: format!(
-            r"u = \sum_{{j=1}}^{{{n}}} \mathrm{{gain}}_j x_j, \quad \mathrm{{gain}}_j = {latex}"
-        ),
+        latex: format!(r"u = \sum_{{j=1}}^{{{n}}} {latex}"),
     }
 }
 

@@ -13,7 +13,7 @@ const TERMS_A_LINE: usize = 5;
 pub(crate) fn formulas(sheet: &Sheet) -> Vec<Math> {
     let forms = |block: &Block| match block {
         Block::Forms(forms) => Some(part(forms)),
-        Block::Words { .. } | Block::Derivatives(_) => None,
+        Block::Words { .. } | Block::Numbers { .. } | Block::Derivatives(_) => None,
     };
     sheet.blocks.iter().filter_map(forms).collect()
 }

@@ -11,6 +11,7 @@ mod latex;
 mod law;
 #[cfg(feature = "lab")]
 mod mathml;
+mod samples;
 mod sheet;
 mod text;
 
@@ -54,6 +55,7 @@ pub(crate) fn show(request: &Show) -> Result<String, Failure> {
             let design = checking(|| Resolved::of(&spec));
             let spec = &design.spec;
             let mut sheets = match &spec.coupled {
+                _ if spec.sampled().is_some() => vec![samples::sheet(&design)],
                 Some(coupled) => coupled::sheets(subject, (spec, coupled), one)?,
                 None => vec![one(spec)?],
             };
@@ -122,7 +124,11 @@ fn ask(request: &Show) -> Result<Asked, Failure> {
     let spec = flags.read()?;
     let own = spec.coupled.is_none() && spec.axes.as_ref().is_some_and(Axes::differ);
     let of_one = if own { spec.needs_one_axis("show") } else { Ok(()) };
-    if let Err(found) = spec.needs_time("show").and(of_one) {
+    let known = match request.subject {
+        Subject::Law => spec.needs_law("show law"),
+        _ => spec.needs_time(&format!("show {}", request.subject.name())),
+    };
+    if let Err(found) = known.and(of_one) {
         return flags.finish(None, found);
     }
     Ok(Asked::Design(Box::new(spec)))

@@ -20,6 +20,8 @@ pub(super) enum Block {
     Forms(Forms),
     /// A formula that is the same for all orders, in text and in LaTeX.
     Words { key: &'static str, text: String, latex: String },
+    /// A matrix of numbers.
+    Numbers { key: &'static str, rows: Vec<Vec<f64>> },
     /// r_1, r_2, ... as expressions.
     Derivatives(Vec<Expression>),
 }
@@ -120,6 +122,11 @@ impl Forms {
 /// The cells of a grid in text.
 pub(super) fn texts(rows: &[Vec<&Poly>]) -> Vec<Vec<String>> {
     rows.iter().map(|row| row.iter().map(|poly| text(poly)).collect()).collect()
+}
+
+/// The cells of a matrix of numbers in text.
+pub(super) fn numbers(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
+    rows.iter().map(|row| row.iter().map(ToString::to_string).collect()).collect()
 }
 
 /// The width of each column.

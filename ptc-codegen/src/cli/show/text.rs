@@ -3,7 +3,7 @@
 use crate::algebra::{Poly, text};
 use crate::expression::Expression;
 
-use super::sheet::{Block, Form, Forms, Layout, Sheet, texts, widths};
+use super::sheet::{Block, Form, Forms, Layout, Sheet, numbers, texts, widths};
 
 pub(super) fn render(sheet: &Sheet) -> String {
     let mut parts = Vec::new();
@@ -13,6 +13,7 @@ pub(super) fn render(sheet: &Sheet) -> String {
     parts.extend(sheet.blocks.iter().map(|block| match block {
         Block::Words { text, .. } => format!("{text}\n"),
         Block::Forms(forms) => part(forms),
+        Block::Numbers { key, rows } => matrix(key, &numbers(rows)),
         Block::Derivatives(r) => derivatives(r),
     }));
     parts.join("\n")
@@ -27,10 +28,7 @@ fn derivatives(r: &[Expression]) -> String {
 fn part(forms: &Forms) -> String {
     match (forms.layout, forms.grid(), forms.index) {
         (Layout::Matrix { order }, Some(rows), _) => {
-            let cells = texts(&rows);
-            let head = format!("{}_{order} =", forms.stem);
-            let lines = aligned(&cells).into_iter().map(|line| format!("  [ {line} ]\n"));
-            format!("{head}\n{}", lines.collect::<String>())
+            matrix(&format!("{}_{order}", forms.stem), &texts(&rows))
         }
         (Layout::Table { caption, .. }, Some(rows), [row, column]) => {
             format!("{caption}\n\n{}", table(row, column, &rows))
@@ -38,6 +36,11 @@ fn part(forms: &Forms) -> String {
         (Layout::Table { caption, .. }, _, _) => format!("{caption}\n\n{}", list(forms)),
         _ => list(forms),
     }
+}
+
+fn matrix(name: &str, cells: &[Vec<String>]) -> String {
+    let lines = aligned(cells).into_iter().map(|line| format!("  [ {line} ]\n"));
+    format!("{name} =\n{}", lines.collect::<String>())
 }
 
 fn list(forms: &Forms) -> String {

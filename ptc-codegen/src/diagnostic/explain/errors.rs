@@ -55,7 +55,7 @@ pub(super) static ERRORS: [Explanation; 29] = [
         "The command supports only a clock in time.",
         (
             "n = 1\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.1\npoles = [-3]\n",
-            "ptc-codegen show law design.toml",
+            "ptc-codegen show bell design.toml",
         ),
         "leave `clock` out for this command",
     ),

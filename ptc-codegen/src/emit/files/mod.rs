@@ -278,9 +278,9 @@ pub fn sampled_formulas(report: &Report) -> Vec<String> {
 }
 
 /// The plant, the law and the observer of a controller in samples, as the head of its files has them.
-#[cfg(feature = "lab")]
-pub(crate) fn sampled_law(report: &Report) -> Vec<String> {
-    head::law_in_samples(report)
+#[cfg(feature = "cli")]
+pub(crate) fn sampled_law(spec: &Spec) -> Vec<String> {
+    head::law_in_samples(spec)
 }
 
 /// The text of a template.

@@ -10,7 +10,7 @@ use crate::cli::page::design::short;
 
 pub(super) fn law(report: &Report) -> Group {
     let spec = &report.spec;
-    let mut told = sampled_law(report).join(" ");
+    let mut told = sampled_law(spec).join(" ");
     let Some(numbers) = Numbers::of(spec) else {
         return Group { title: "Law in samples", told, formulas: Vec::new() };
     };

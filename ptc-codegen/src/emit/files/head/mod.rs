@@ -20,7 +20,7 @@ pub(super) use formulas::{law, mapping};
 pub(super) use plant::{chain, in_samples as plant_in_samples};
 #[cfg(feature = "urdf")]
 pub(super) use robot::lines as lines_of_robot;
-#[cfg(feature = "lab")]
+#[cfg(feature = "cli")]
 pub(super) use samples::law as law_in_samples;
 pub(super) use samples::{formulas as formulas_in_samples, lines as lines_in_samples};
 pub(super) use time::lines;

@@ -24,9 +24,8 @@ pub(in crate::emit) fn formulas(report: &Report) -> Vec<String> {
 }
 
 /// The plant, the law and the observer of a controller, as they are in the head of its files.
-#[cfg(feature = "lab")]
-pub(in crate::emit) fn law(report: &Report) -> Vec<String> {
-    let spec = &report.spec;
+#[cfg(feature = "cli")]
+pub(in crate::emit) fn law(spec: &Spec) -> Vec<String> {
     let Some(sampled) = spec.sampled() else { return Vec::new() };
     let mut lines = vec![plant_line(spec, sampled)];
     lines.extend(purpose(spec, sampled));
