@@ -26,6 +26,12 @@ impl Internal {
     }
 }
 
+impl From<String> for Internal {
+    fn from(what: String) -> Self {
+        Self(what)
+    }
+}
+
 impl fmt::Display for Internal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "internal fault: {}", self.0)

@@ -4,6 +4,8 @@ use super::{Accepted, accepted, within};
 use crate::controller::Controller;
 use crate::controller::measured::Measured;
 use crate::diagnostic::Diagnostic;
+#[cfg(feature = "lab")]
+use crate::emit::campaign::{self, Sizes};
 use crate::emit::{self, File, Language, Project};
 use crate::expansion::Expanded;
 use crate::law::Law;
@@ -93,6 +95,19 @@ impl Accepted {
                 let code = emit::sampled_c(&self.report);
                 emit::emit_sampled_with_proof(&self.report.spec, &code)
             }
+        })
+    }
+
+    /// The program in C that runs scenarios in a loop of such sizes; `None` for a controller that such a program does not
+    /// call.
+    ///
+    /// # Errors
+    /// As [`Accepted::files`].
+    #[cfg(feature = "lab")]
+    pub fn campaign(&self, sizes: &Sizes) -> Result<Option<campaign::Program>, Vec<Diagnostic>> {
+        within(|| match &self.staged {
+            Some(_) => campaign::in_time(&self.controller(), sizes),
+            None => campaign::in_samples(&self.report, sizes),
         })
     }
 

@@ -12,6 +12,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 use super::compare::compare;
+use super::compiler::compiler;
 use super::output::TemporaryFolder;
 use super::read;
 use super::report::{self, Failure, Notice};
@@ -100,7 +101,7 @@ fn library(name: &str, version: Version, files: &[File]) -> Result<(String, Vec<
             help: "an importer that compiles sources can use it",
         });
     };
-    let compiler = env::var_os("CC").filter(|cc| !cc.is_empty()).unwrap_or_else(|| "cc".into());
+    let compiler = compiler();
     let failed = |what: &str, error: &io::Error| Reason {
         what: format!("{what} `{}`: {error}", compiler.to_string_lossy()),
         notes: Vec::new(),

@@ -8,6 +8,7 @@ mod check;
 mod compare;
 #[cfg(feature = "lab")]
 mod comparison;
+mod compiler;
 #[cfg(feature = "lab")]
 mod design;
 mod doubts;

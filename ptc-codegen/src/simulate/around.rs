@@ -83,6 +83,11 @@ impl Loop {
         })
     }
 
+    /// The time after t0 at which a run ends whose deadline stays where it is.
+    pub(crate) fn end(&self, tau: f64) -> f64 {
+        self.until.unwrap_or_else(|| self.planned(tau))
+    }
+
     /// The time after t0, at most `until`, of the last sample at which the controller is armed; 0 where it is not
     /// armed again.
     pub fn last_armed(&self, until: f64) -> f64 {

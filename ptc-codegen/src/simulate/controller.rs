@@ -102,6 +102,11 @@ impl Controller {
         (self.emitted.step, self.emitted.deadline)
     }
 
+    /// Returns the parameters that are given to its `init`.
+    pub(super) fn open(&self) -> impl Iterator<Item = Parameter> {
+        self.emitted.open.iter().map(|(parameter, _)| *parameter)
+    }
+
     /// Returns its program; `None` for a clock in samples.
     pub(super) fn program(&self) -> Option<&Program> {
         self.emitted.program.as_ref()

@@ -47,7 +47,7 @@ impl<'a> Frame<'a> {
             true => 1.0,
             false => around.delay.part().to_f64().unwrap_or(1.0),
         };
-        let end = around.until.unwrap_or_else(|| around.planned(tau));
+        let end = around.end(tau);
         let sensors = [&around.noise, &around.noise_rms, &around.sensor_step];
         let exact = sensors.into_iter().flatten().all(|own| *own == 0.0);
         Self { around, random, gain, end, index: 0, now: 0.0, part, exact }
@@ -61,6 +61,7 @@ impl<'a> Frame<'a> {
     }
 
     /// The time of the next sample after t0, as the controller has it, and whether it is the last one.
+    #[inline]
     pub(super) fn since(&self) -> (f64, bool) {
         let since = f64::from(self.index) * self.around.period;
         let last = since >= self.end * (1.0 - SAME);
@@ -69,19 +70,31 @@ impl<'a> Frame<'a> {
 
     /// Adds noise to the measured values and quantises them.
     pub(super) fn measure<'m>(&mut self, measured: impl IntoIterator<Item = &'m mut f64>) {
-        let Self { around, random, exact, .. } = self;
-        if *exact {
+        if self.exact {
             return;
         }
         for (j, own) in measured.into_iter().enumerate() {
-            let bound = around.noise.get(j).copied().unwrap_or(0.0);
-            let mut noisy = *own + if bound == 0.0 { 0.0 } else { bound * even(random) };
-            let rms = around.noise_rms.get(j).copied().unwrap_or(0.0);
-            if rms > 0.0 {
-                noisy += rms * normal(random);
-            }
-            *own = quantised(noisy, around.sensor_step.get(j).copied().unwrap_or(0.0));
+            let [bounded, normal] = self.errors(j);
+            let step = self.around.sensor_step.get(j).copied().unwrap_or(0.0);
+            *own = quantised((*own + bounded) + normal, step);
         }
+    }
+
+    /// Draws what is added to a measurement, one after the other: a bounded and a normal error.
+    pub(super) fn errors(&mut self, sensor: usize) -> [f64; 2] {
+        let Self { around, random, .. } = self;
+        let bound = around.noise.get(sensor).copied().unwrap_or(0.0);
+        let bounded = if bound == 0.0 { 0.0 } else { bound * even(random) };
+        let rms = around.noise_rms.get(sensor).copied().unwrap_or(0.0);
+        // Not even a zero changes by what is added.
+        [bounded, if rms > 0.0 { rms * normal(random) } else { -0.0 }]
+    }
+
+    /// Returns true if a sensor has errors that are drawn.
+    #[cfg(feature = "lab")]
+    pub(super) fn draws(&self) -> bool {
+        let drawn = [&self.around.noise, &self.around.noise_rms];
+        drawn.into_iter().flatten().any(|size| *size != 0.0)
     }
 
     /// The input as the actuator resolves it.
@@ -96,6 +109,7 @@ impl<'a> Frame<'a> {
     }
 
     /// Goes on to the next sample.
+    #[inline]
     pub(super) fn next(&mut self) -> Span {
         let Self { around, end, part, now: from, .. } = *self;
         self.index += 1;

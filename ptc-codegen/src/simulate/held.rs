@@ -62,6 +62,19 @@ struct Over {
 /// Row of a plant without waves over a length of time: a row of E, one of F B, and a number of F c.
 pub(super) type Row<'a> = (&'a [f64], &'a [f64], f64);
 
+/// Effect of a length of time on a plant, and the length to which it belongs.
+#[cfg(feature = "lab")]
+#[derive(Clone, Debug)]
+pub(super) struct Effect {
+    pub(super) length: f64,
+    /// True if it stands for all lengths that are the same within rounding.
+    pub(super) is_kept: bool,
+    /// Rows of E, F B and F c.
+    pub(super) rows: Vec<(Vec<f64>, Vec<f64>, f64)>,
+    /// Number of waves.
+    pub(super) waves: usize,
+}
+
 /// Lengths that are kept: a sample, its parts and those beside a delay.
 const KEPT: usize = 8;
 
@@ -159,16 +172,11 @@ impl Held {
         for (next, (whole, of_inputs, constant)) in next.iter_mut().zip(self.rows_at(place)) {
             *next = dot(whole, x.as_slice()) + (dot(of_inputs, u) + constant);
         }
-        let Over { waves, .. } = &self.over[place].1;
-        if !waves.is_empty() {
+        if !self.plant.waves.is_empty() {
             along.at(t, x.as_slice(), u);
         }
-        for (wave, [of_sine, of_cosine]) in self.plant.waves.iter().zip(waves) {
-            let (sine, cosine) = along.machine.get(wave.angle).sin_cos();
-            let (sine, cosine) = if wave.is_cosine { (cosine, -sine) } else { (sine, cosine) };
-            for (next, (a, b)) in next.iter_mut().zip(of_sine.iter().zip(of_cosine)) {
-                *next += a * sine + b * cosine;
-            }
+        for added in self.added(along, place) {
+            next.iter_mut().zip(added).for_each(|(next, added)| *next += added);
         }
         Some(next)
     }
@@ -179,6 +187,58 @@ impl Held {
         let place = self.place(length)?;
         let is_whole = self.plant.waves.is_empty();
         is_whole.then(|| (self.over[place].0, self.rows_at(place)))
+    }
+
+    /// The same with the number of waves, whose effect is added.
+    #[cfg(feature = "lab")]
+    pub(super) fn effect(&mut self, length: f64) -> Option<Effect> {
+        let place = self.place(length)?;
+        let waves = self.plant.waves.len();
+        let rows = self.rows_at(place);
+        let rows = rows.map(|(whole, of_inputs, own)| (whole.to_vec(), of_inputs.to_vec(), own));
+        let (length, rows) = (self.over[place].0, rows.collect());
+        // The rows of waves are looked up at each sample.
+        Some(Effect { length, is_kept: waves == 0, rows, waves })
+    }
+
+    /// Forgets the effects of lengths that were asked for.
+    #[cfg(feature = "lab")]
+    pub(super) fn forget(&mut self) {
+        self.over.clear();
+    }
+
+    /// Appends what each wave adds to each state in `length` s from `t` on.
+    #[cfg(feature = "lab")]
+    pub(super) fn waves(
+        &mut self,
+        along: &mut Along,
+        (t, length): (f64, f64),
+        into: &mut Vec<f64>,
+    ) -> Option<()> {
+        if self.plant.waves.is_empty() {
+            return Some(());
+        }
+        let place = self.place(length)?;
+        // An angle is a function of time alone.
+        along.at(t, &[], &[]);
+        for added in self.added(along, place) {
+            into.extend(added);
+        }
+        Some(())
+    }
+
+    /// What each wave adds to each state, of a program that is looked at.
+    fn added(
+        &self,
+        along: &Along,
+        place: usize,
+    ) -> impl Iterator<Item = impl Iterator<Item = f64>> {
+        let waves = self.plant.waves.iter().zip(&self.over[place].1.waves);
+        waves.map(|(wave, [of_sine, of_cosine])| {
+            let (sine, cosine) = along.machine.get(wave.angle).sin_cos();
+            let (sine, cosine) = if wave.is_cosine { (cosine, -sine) } else { (sine, cosine) };
+            of_sine.iter().zip(of_cosine).map(move |(a, b)| a * sine + b * cosine)
+        })
     }
 
     fn rows_at(&self, place: usize) -> impl Iterator<Item = Row<'_>> {
@@ -203,6 +263,7 @@ impl Held {
 }
 
 /// Returns true if a length equals another one except for the rounding of the times between which it is.
+#[inline]
 pub(super) fn is_same(own: f64, length: f64) -> bool {
     (own - length).abs() <= SAME * length
 }

@@ -3,6 +3,8 @@
 use num_traits::{FromPrimitive, ToPrimitive};
 
 use super::Failure;
+#[cfg(feature = "lab")]
+use super::held::Effect;
 use super::held::{Row, is_same};
 use super::method::State;
 use crate::algebra::BigRational;
@@ -84,6 +86,30 @@ impl Linear {
             (whole, of_input, -0.0)
         });
         Some((*own, all.collect()))
+    }
+
+    /// What a length comes to.
+    #[cfg(feature = "lab")]
+    pub(super) fn effect(&self, length: f64) -> Option<Effect> {
+        let known = self.over.as_ref().filter(|(own, _)| is_same(*own, length));
+        let other = match known {
+            Some(_) => None,
+            None => self.part(length),
+        };
+        let rows = known.map(|(_, rows)| rows).or(other.as_ref())?;
+        let split = |row: &Vec<f64>| {
+            let (whole, of_input) = row.split_at(self.order());
+            (whole.to_vec(), of_input.to_vec(), -0.0)
+        };
+        let rows = rows.iter().map(split).collect();
+        let (length, is_kept) = known.map_or((length, false), |(own, _)| (*own, true));
+        Some(Effect { length, is_kept, rows, waves: 0 })
+    }
+
+    /// The rows of y = C x.
+    #[cfg(feature = "lab")]
+    pub(super) fn output_rows(&self) -> &Rows {
+        &self.c
     }
 
     /// The state after `length` s with u.

@@ -40,6 +40,8 @@ mod pole;
 mod process;
 pub mod record;
 mod sampled;
+#[cfg(feature = "lab")]
+mod script;
 mod side;
 mod smooth;
 mod solver;
@@ -62,6 +64,8 @@ pub use failure::{Cause, Failure};
 pub use pieces::{Changes, Piece};
 pub use process::Process;
 pub use sampled::Sampled;
+#[cfg(feature = "lab")]
+pub use script::Script;
 pub use side::{At, Run, Side};
 pub use tracking::{Tracking, tracking_error};
 pub use values::Values;

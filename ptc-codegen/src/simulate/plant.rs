@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+#[cfg(feature = "lab")]
+use super::held::Effect;
 use super::held::{Held, Row};
 use super::mechanics::Mechanics;
 use super::method::State;
@@ -97,6 +99,24 @@ impl Motion {
     /// Returns its rows over a time in which the inputs are held; `None` where only [`Self::after`] gives it.
     pub(super) fn rows(&mut self, length: f64) -> Option<(f64, impl Iterator<Item = Row<'_>>)> {
         self.held.as_mut()?.rows(length)
+    }
+
+    /// The same with waves, as numbers.
+    #[cfg(feature = "lab")]
+    pub(super) fn effect(&mut self, length: f64) -> Option<Effect> {
+        self.held.as_mut()?.effect(length)
+    }
+
+    /// Forgets the effects of lengths that were asked for.
+    #[cfg(feature = "lab")]
+    pub(super) fn forget(&mut self) {
+        self.held.iter_mut().for_each(Held::forget);
+    }
+
+    /// Appends what each of its waves adds to each state in `length` s from `t` on.
+    #[cfg(feature = "lab")]
+    pub(super) fn waves(&mut self, t: f64, length: f64, into: &mut Vec<f64>) -> Option<()> {
+        self.held.as_mut()?.waves(&mut self.along, (t, length), into)
     }
 
     /// Number of its kinks, and of what no run crosses behind them.

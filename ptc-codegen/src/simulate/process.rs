@@ -6,6 +6,8 @@ use super::between::{BETWEEN, Between, Held, Moved};
 use super::control::Control;
 use super::event_queue::EventQueue;
 use super::frame::{Frame, Span};
+#[cfg(feature = "lab")]
+use super::held::Effect;
 use super::held::Row;
 use super::integrals::Integrals;
 use super::linear::Linear;
@@ -228,6 +230,56 @@ impl Process {
         match &mut self.moved {
             Moved::Rates(motion) => motion.rows(length).map(|(own, rows)| (own, rows.collect())),
             Moved::Linear(plant) => plant.known(length),
+        }
+    }
+
+    /// Returns true if the plant is moved by an integration alone.
+    #[cfg(feature = "lab")]
+    pub(super) fn is_integrated(&self) -> bool {
+        matches!(&self.moved, Moved::Rates(motion) if motion.is_integrated())
+    }
+
+    /// The effect on the plant of a time in which its inputs are held; `None` where an integration moves it.
+    #[cfg(feature = "lab")]
+    pub(super) fn effect(&mut self, length: f64) -> Option<Effect> {
+        match &mut self.moved {
+            Moved::Rates(motion) => motion.effect(length),
+            Moved::Linear(plant) => plant.effect(length),
+        }
+    }
+
+    /// Forgets the effects of lengths that were asked for.
+    #[cfg(feature = "lab")]
+    pub(super) fn forget(&mut self) {
+        if let Moved::Rates(motion) = &mut self.moved {
+            motion.forget();
+        }
+    }
+
+    /// Appends what each sine of time adds to each state in `length` s from `t` on.
+    #[cfg(feature = "lab")]
+    pub(super) fn waves(&mut self, t: f64, length: f64, into: &mut Vec<f64>) -> Option<()> {
+        match &mut self.moved {
+            Moved::Rates(motion) => motion.waves(t, length, into),
+            Moved::Linear(_) => Some(()),
+        }
+    }
+
+    /// Returns the rows of y = C x; none where the states are measured.
+    #[cfg(feature = "lab")]
+    pub(super) fn output_rows(&self) -> Vec<Vec<f64>> {
+        match &self.moved {
+            Moved::Rates(_) => Vec::new(),
+            Moved::Linear(plant) => plant.output_rows().clone(),
+        }
+    }
+
+    /// Number of values that sensors give, of which a controller may be given fewer.
+    #[cfg(feature = "lab")]
+    pub(super) fn sensed_values(&self) -> usize {
+        match &self.moved {
+            Moved::Rates(_) => self.n,
+            Moved::Linear(plant) => plant.output_rows().len(),
         }
     }
 

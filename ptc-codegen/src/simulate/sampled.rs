@@ -33,6 +33,11 @@ impl Sampled {
         Self { process: self.process.with_integrals(spec, integrands), ..self }
     }
 
+    /// The controller and the plant.
+    pub(super) fn parts(&self) -> (&Controller, &Process) {
+        (&self.controller, &self.process)
+    }
+
     /// The same for many scenarios at once, which may have events; `None` where integrals are asked for.
     pub fn in_lanes(&self, events: bool) -> Option<RunningLanes> {
         RunningLanes::of(&self.controller, &self.process, events)

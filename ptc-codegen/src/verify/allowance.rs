@@ -45,6 +45,7 @@ pub struct Level {
 
 impl Level {
     /// A norm with an upper bound.
+    #[inline]
     pub(super) fn below(value: f64, high: Option<f64>) -> Self {
         Self { value, size: value.abs(), low: None, high }
     }
@@ -70,6 +71,7 @@ impl Level {
 }
 
 /// value/bound - 1, and 0 within the allowance; a bound of 0 holds what is 0.
+#[inline]
 pub(super) fn over(value: f64, bound: f64) -> f64 {
     if value == 0.0 && bound >= 0.0 {
         return -1.0;
@@ -82,6 +84,7 @@ pub(super) fn over(value: f64, bound: f64) -> f64 {
 
 /// An excess, and 0 where it is within the allowance of a size. What consists of zeros is known exactly, and keeps a bound
 /// of 0.
+#[inline]
 fn snapped(excess: f64, size: f64) -> f64 {
     if excess == 0.0 && size == 0.0 {
         return -f64::MIN_POSITIVE;

@@ -4,6 +4,7 @@ use std::slice::from_ref;
 
 use rayon::prelude::*;
 
+use super::compiled::{Agreement, Compiled, Runner, agreement};
 use super::exact::Exact;
 use super::observer::{LaneObserver, Observer};
 use super::samples::of_sample;
@@ -34,7 +35,14 @@ enum Closed {
     /// Both sides of Theorem 1.
     Theorem(Box<Sides>),
     /// The sampled loop.
-    Running(Box<RunningLanes>),
+    Running(Box<Running>),
+}
+
+/// The sampled loop: in lanes, or by a compiled program, where one was made.
+#[derive(Clone, Debug)]
+struct Running {
+    lanes: RunningLanes,
+    compiled: Option<Compiled>,
 }
 
 /// Both sides of Theorem 1 in lanes.
@@ -68,8 +76,41 @@ impl InLanes {
         campaign: &Campaign,
     ) -> Option<Self> {
         let lanes = sampled.in_lanes(!campaign.events.is_empty())?;
-        let closed = Closed::Running(Box::new(lanes));
+        let closed = Closed::Running(Box::new(Running { lanes, compiled: None }));
         Some(Self { closed, observer: observer.in_lanes()? })
+    }
+
+    /// Runs scenarios of the sampled loop by a compiled program from here on, and those of some settings both ways;
+    /// `None` where the program runs none.
+    pub(super) fn compiled(
+        &mut self,
+        mut compiled: Compiled,
+        settings: &[Setting],
+    ) -> Option<Agreement> {
+        let Closed::Running(running) = &mut self.closed else { return None };
+        let jobs = samplings(settings)?;
+        let lanes = &mut running.lanes;
+        let interpreted: Runner<'_> = &mut |jobs, see| Some(lanes.run(jobs, see));
+        let agreement = agreement(&jobs, interpreted, &mut |jobs, see| compiled.run(jobs, see));
+        running.compiled = Some(compiled);
+        agreement
+    }
+
+    /// Runs scenarios in lanes again.
+    pub(super) fn interpreted(&mut self) {
+        if let Closed::Running(running) = &mut self.closed {
+            running.compiled = None;
+        }
+    }
+
+    /// Returns how the processes of a compiled program ended that scenarios ended.
+    pub(super) fn faults(&self) -> Vec<String> {
+        match &self.closed {
+            Closed::Running(running) => {
+                running.compiled.iter().flat_map(Compiled::faults).collect()
+            }
+            Closed::Theorem(_) => Vec::new(),
+        }
     }
 
     /// Returns true if both sides of Theorem 1 can be run without an integration.
@@ -83,7 +124,7 @@ impl InLanes {
         let Self { closed, observer } = self;
         let Sides { stretched, direct, exact } = match closed {
             Closed::Theorem(sides) => &mut **sides,
-            Closed::Running(lanes) => return running(lanes, observer, settings),
+            Closed::Running(own) => return own.run(observer, settings),
         };
         let mut found = match exact {
             Some(exact) => exact.run((stretched, direct), observer, settings),
@@ -107,24 +148,44 @@ impl InLanes {
     }
 }
 
-/// The outcomes of the scenarios that the loop that runs takes to their end.
-fn running<'a>(
-    lanes: &mut RunningLanes,
-    observer: &mut LaneObserver,
-    settings: &'a [Setting],
-) -> Vec<Option<Outcome>> {
-    let unknown = || vec![None; settings.len()];
-    let job = |setting: &'a Setting| {
+impl Running {
+    fn run(&mut self, observer: &mut LaneObserver, settings: &[Setting]) -> Vec<Option<Outcome>> {
+        let unknown = || vec![None; settings.len()];
+        let Some(jobs) = samplings(settings) else { return unknown() };
+        let both = (settings, jobs.as_slice());
+        let Self { lanes, compiled } = self;
+        let by_program = compiled
+            .as_mut()
+            .and_then(|own| running(&mut |jobs, see| own.run(jobs, see), observer, both));
+        if let Some(found) = by_program {
+            return found;
+        }
+        let in_lanes: Runner<'_> = &mut |jobs, see| Some(lanes.run(jobs, see));
+        running(in_lanes, observer, both).unwrap_or_else(unknown)
+    }
+}
+
+/// The settings as the loop that runs takes them.
+fn samplings(settings: &[Setting]) -> Option<Vec<Sampling<'_>>> {
+    fn sampling(setting: &Setting) -> Option<Sampling<'_>> {
         let Setting { values, x0, pieces, around } = setting;
         Some(Sampling { values, x0, pieces, around: around.as_ref()? })
-    };
-    let Some(jobs) = settings.iter().map(job).collect::<Option<Vec<_>>>() else { return unknown() };
+    }
+    settings.iter().map(sampling).collect()
+}
+
+/// The outcomes of the scenarios that the loop that runs takes to their end; `None` where it runs none.
+fn running(
+    run: Runner<'_>,
+    observer: &mut LaneObserver,
+    (settings, jobs): (&[Setting], &[Sampling<'_>]),
+) -> Option<Vec<Option<Outcome>>> {
     let all: Vec<_> = settings.iter().collect();
     let taus: Vec<_> = settings.iter().map(|own| own.values.get(Parameter::Tau)).collect();
     let mut known = vec![true; settings.len()];
     let mut found: Vec<Option<Vec<f64>>> = vec![None; settings.len()];
     observer.forget();
-    let done = lanes.run(&jobs, &mut |instants| {
+    let done = run(jobs, &mut |instants: &Instants<'_>| {
         if let Some(job) = observer.meet(&all, &instants.jobs) {
             known[job] = false;
         }
@@ -139,10 +200,11 @@ fn running<'a>(
                 found[job] = Some(worst.iter().map(|worst| worst.0[lane]).collect());
             }
         }
-    });
+    })?;
     let all = done.into_iter().zip(known).zip(found);
     let outcome = |excess| Outcome { excess, direct: None, ended: None };
-    all.map(|((done, known), excess)| excess.filter(|_| done && known).map(outcome)).collect()
+    let found = all.map(|((done, known), excess)| excess.filter(|_| done && known).map(outcome));
+    Some(found.collect())
 }
 
 /// Runs one side in each scenario, and returns its track where it comes to the end.

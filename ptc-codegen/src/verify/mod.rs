@@ -13,6 +13,7 @@ mod allowance;
 mod batch;
 pub mod bound;
 mod columns;
+mod compiled;
 mod corner;
 mod course;
 mod envelope;
@@ -42,6 +43,7 @@ mod verdict;
 
 pub use crate::keys::verify::{DISTURBANCE, INITIAL_STATE, KEYS, OBJECTIVE_KEYS, PARAMETER};
 pub use allowance::{ALLOWANCE, Comparison, Level};
+pub use compiled::Agreement;
 pub use corner::Corners;
 pub use course::{Course, Signal};
 pub use envelope::Envelope;
@@ -174,7 +176,7 @@ impl Campaign {
     }
 
     /// Returns the length of the longest planned run, in parts of tau.
-    pub(super) fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         let (true, Some(around)) = (self.follows_deadline(), &self.around) else {
             return 1.0 - self.until;
         };

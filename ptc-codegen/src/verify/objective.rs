@@ -204,6 +204,7 @@ impl fmt::Display for Objective {
 }
 
 /// The larger of two numbers; no number is larger than any.
+#[inline]
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() { b } else { a.max(b) }
 }

@@ -46,7 +46,9 @@ struct Seen<'a> {
     /// |x|, and what it was at t0.
     size: f64,
     size_at_start: f64,
-    u: &'a [f64],
+    inputs: usize,
+    /// Input k, from 0.
+    u: &'a dyn Fn(usize) -> f64,
     /// Coordinate i of |x|, from 0.
     part: &'a dyn Fn(usize) -> f64,
 }
@@ -146,7 +148,9 @@ impl Observer {
                 Some(value) => self.along.machine.get(*value),
                 None => x.get(i).copied().unwrap_or(f64::NAN),
             };
-            let seen = Seen { size: sizes.0, size_at_start: sizes.1, u, part: &part };
+            let (size, size_at_start) = sizes;
+            let input = |k: usize| u[k];
+            let seen = Seen { size, size_at_start, inputs: u.len(), u: &input, part: &part };
             visit(index, kind, self.watched.level(index, get, &seen, last));
         }
     }
@@ -160,7 +164,7 @@ impl Watched {
         &self,
         index: usize,
         get: impl Fn(Value) -> f64,
-        &Seen { size, size_at_start, u, part }: &Seen<'_>,
+        &Seen { size, size_at_start, inputs, u, part }: &Seen<'_>,
         last: bool,
     ) -> Level {
         let mut values = self.values[index].iter().map(|value| get(*value));
@@ -168,10 +172,11 @@ impl Watched {
         let mut level = match &self.kinds[index] {
             Kind::State { sigma, .. } => Level::below(size, Some(sigma * size_at_start * next())),
             Kind::Input { .. } => {
-                Level::below(u.first().map_or(f64::NAN, |u| u.abs()), Some(next()))
+                let size = if inputs > 0 { u(0).abs() } else { f64::NAN };
+                Level::below(size, Some(next()))
             }
             Kind::Inputs { .. } => {
-                let parts = u.iter().map(|u| 1.0 + over(u.abs(), next()));
+                let parts = (0..inputs).map(|k| 1.0 + over(u(k).abs(), next()));
                 Level::below(parts.fold(0.0, larger), Some(1.0))
             }
             Kind::Attractive { error } => Level::below(size, last.then_some(*error)),

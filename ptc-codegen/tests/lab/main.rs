@@ -65,6 +65,8 @@ mod verify_lanes;
 mod verify_parameters;
 mod verify_proofs;
 mod verify_references;
+#[cfg(unix)]
+mod verify_runner;
 mod verify_running;
 mod verify_scenarios;
 mod verify_stiff;

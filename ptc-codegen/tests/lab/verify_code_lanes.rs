@@ -9,7 +9,7 @@ fn same_in_lanes(text: &str) {
 }
 
 /// A box, and objectives of every instant, of u and of the end.
-fn objectives(states: &[&str], more: &str) -> String {
+pub(crate) fn objectives(states: &[&str], more: &str) -> String {
     let within: String = states.iter().map(|x| format!("{x} = [-0.4, 0.5]\n")).collect();
     let (first, last) = (states[0], states[states.len() - 1]);
     format!(
@@ -20,7 +20,7 @@ fn objectives(states: &[&str], more: &str) -> String {
 }
 
 /// A chain in samples with an observer of an unknown force, beside what the keys say.
-fn chain(keys: &str, params: &str, plant: &str, more: &str) -> String {
+pub(crate) fn chain(keys: &str, params: &str, plant: &str, more: &str) -> String {
     format!(
         "n = 2\ng = \"1/1.5\"\nmu = \"exp(a=1)\"\nclock = \"samples\"\nsample_time = 0.01\npoles = [-4, -5]\n{keys}\
          [params]\ntau = 0.5\n{params}[plant]\n{plant}gust = [-0.1, 0.3]\n[disturbance]\ngust = \"any\"\n{}",
@@ -28,7 +28,7 @@ fn chain(keys: &str, params: &str, plant: &str, more: &str) -> String {
     )
 }
 
-const OBSERVER: &str = "measured = [\"x1\"]\ndisturbance = \"constant\"\nobserver_poles = [-4, -5, -6]\n\
+pub(crate) const OBSERVER: &str = "measured = [\"x1\"]\ndisturbance = \"constant\"\nobserver_poles = [-4, -5, -6]\n\
     observer_samples = 25\nobserver_eps = 0.05\n";
 
 #[test]

@@ -5,6 +5,8 @@ mod draws;
 mod journal;
 mod page;
 mod parts;
+mod program;
+mod runner;
 
 use std::ops::Range;
 
@@ -34,6 +36,8 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let mut source = request.spec.0.with_design(request.design.design.as_deref())?;
     request.plant.iter().for_each(|text| source.give_plant(text));
     let campaign = campaign(request, &source)?;
+    // Its folder is there as long as the processes of the trial.
+    let _program;
     let mut trial = checking(|| Trial::new(&campaign))?;
     possible(&campaign, &mut trial)?;
     if let Some(text) = &request.scenario {
@@ -46,10 +50,13 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
                 Some(text) => part(text, campaign.scenarios)?,
                 None => 0..campaign.scenarios,
             };
+            let scenarios = range.end - range.start;
+            _program = runner::prepare(request.runner, &campaign, &mut trial, scenarios)?;
             parts::run(&campaign, &trial, range, out.as_ref())?
         }
     };
     if let (Some(shard), Some(out)) = (&request.shard, &request.out) {
+        runner::faults(&trial);
         let count = drawn.tally.scenarios;
         outputs
             .tell(&format!("wrote {}, part {shard} with {count} scenarios\n", write::shown(out)))?;
@@ -60,6 +67,7 @@ pub(crate) fn verify(request: &Verify) -> Result<(), Failure> {
     let told = |runs| bar.inc(runs as u64);
     let known = Known::beyond(&campaign, &trial, &drawn.tally, &told);
     bar.finish_and_clear();
+    runner::faults(&trial);
     let summary = summary(&campaign, &mut trial, &known);
     let mut files = Vec::new();
     if let (Some(place), Some(worst)) = (worst_to, known.foremost()) {

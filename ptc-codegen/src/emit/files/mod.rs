@@ -5,6 +5,8 @@ mod acsl;
 mod apart;
 mod c;
 mod called;
+#[cfg(feature = "lab")]
+pub mod campaign;
 mod cpp;
 mod eva;
 mod example;

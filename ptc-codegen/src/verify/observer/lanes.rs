@@ -9,7 +9,7 @@ use crate::program::lanes::{LANES, Pack};
 use crate::program::{Program, Value};
 use crate::request::MAX_ORDER;
 use crate::simulate::lanes::{Abreast, Instants};
-use crate::verify::Setting;
+use crate::verify::{Kind, Setting};
 
 /// The objectives of a campaign along the runs of all lanes.
 #[derive(Clone, Debug)]
@@ -103,7 +103,13 @@ impl LaneObserver {
         self.along.at(time_to_go, x);
         let size = self.sizes(x);
         let Self { watched, along, excess, at_start, distances, .. } = self;
+        let before_end = !last.contains(&true);
+        let parts = if distances.is_empty() { x.len() } else { distances.len() };
         for (index, (excess, kind)) in excess.iter_mut().zip(&watched.kinds).enumerate() {
+            if before_end && bounds_nothing_yet(kind, &size, parts) {
+                *excess = Pack::all(f64::NEG_INFINITY);
+                continue;
+            }
             *excess = Pack::of(|lane| {
                 let get = |value| along.lanes.get(value).0[lane];
                 let part = |i: usize| match distances.get(i) {
@@ -111,10 +117,8 @@ impl LaneObserver {
                     None => x.get(i).map_or(f64::NAN, |x| x.0[lane]),
                 };
                 let [size, size_at_start] = [size.0[lane], at_start.0[lane]];
-                let mut own = [0.0; MAX_ORDER];
-                own.iter_mut().zip(*u).for_each(|(own, u)| *own = u.0[lane]);
-                let u = own.get(..u.len()).unwrap_or(&own);
-                let seen = Seen { size, size_at_start, u, part: &part };
+                let input = |k: usize| u[k].0[lane];
+                let seen = Seen { size, size_at_start, inputs: u.len(), u: &input, part: &part };
                 watched.level(index, get, &seen, last[lane]).excess(kind)
             });
         }
@@ -144,6 +148,22 @@ impl LaneObserver {
                 }
             }
         }
+    }
+}
+
+/// Size of states up to which, and of errors from which on, their quotients are numbers.
+const PLAIN: f64 = 1e150;
+
+/// Returns true if an objective of the end has no bound in any lane before it, and what it bounds are numbers: those of
+/// |x|, of so many parts.
+fn bounds_nothing_yet(kind: &Kind, size: &Pack, parts: usize) -> bool {
+    let plain = || size.0.iter().all(|size| *size <= PLAIN);
+    match kind {
+        Kind::Attractive { .. } => plain(),
+        Kind::AttractiveEach { errors } => {
+            errors.len() <= parts && errors.iter().all(|(_, e)| *e >= 1.0 / PLAIN) && plain()
+        }
+        _ => false,
     }
 }
 

@@ -7,13 +7,16 @@ mod watch;
 pub use instant::Instant;
 pub(super) use sides::{compared, is_blurred};
 
+use std::path::PathBuf;
+
 use super::batch::InLanes;
+use super::compiled::{Agreement, Compiled};
 use super::observer::{Here, Observer};
 use super::{Campaign, Kind, Level, Outcome, Setting, Status};
 use crate::check::examine::examine;
 use crate::parameter::{Parameter, Precision};
 use crate::request::Spec;
-use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sampled};
+use crate::simulate::{Accuracy, Cause, Continuous, Direct, Failure, Run, Sampled, Script};
 use sides::both;
 use watch::{along, running};
 
@@ -51,6 +54,9 @@ pub(super) const ACCURACY: Accuracy = Accuracy { relative: 1e-9, absolute: 1e-28
 
 /// Accuracy of a run for which the first accuracy says too little.
 pub(super) const CLOSER: Accuracy = Accuracy { relative: 1e-11, ..ACCURACY };
+
+/// Scenarios of a campaign that a compiled program and the interpreter both run.
+const AGREEING: u64 = 64;
 
 /// Part of the tolerance of the sides up to which their difference is taken as it is.
 const BLUR: f64 = 0.1;
@@ -105,6 +111,46 @@ impl Trial {
     /// Returns true if scenarios with an f that is constant from instant to instant are run without an integration.
     pub(super) fn propagates(&self) -> bool {
         self.lanes.as_ref().is_some_and(|lanes| lanes.propagates())
+    }
+
+    /// Returns the writer of scenarios for a program that runs them in place of the interpreter.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn script(&self, campaign: &Campaign) -> Result<Script, &'static str> {
+        let (Closed::Running(sampled), Some(around)) = (&self.closed, &campaign.around) else {
+            return Err("the loop is not sampled");
+        };
+        let script = sampled.script(around, !campaign.events.is_empty())?;
+        self.lanes
+            .as_ref()
+            .map(|_| script)
+            .ok_or("an objective is not a formula in the sampled loop")
+    }
+
+    /// Runs scenarios by a compiled program from here on, and the first ones of the campaign both ways; `None` where the
+    /// program runs none.
+    pub fn compiled(
+        &mut self,
+        campaign: &Campaign,
+        script: Script,
+        program: PathBuf,
+    ) -> Option<Agreement> {
+        let first = (0..campaign.scenarios.min(AGREEING)).map(|index| campaign.scenario(index));
+        let settings: Vec<_> = first.map(|scenario| campaign.setting(&scenario)).collect();
+        self.lanes.as_mut()?.compiled(Compiled::new(script, program), &settings)
+    }
+
+    /// Returns how the processes of a compiled program ended that scenarios ended: the interpreter has run these.
+    pub fn faults(&self) -> Vec<String> {
+        self.lanes.as_ref().map_or_else(Vec::new, |lanes| lanes.faults())
+    }
+
+    /// Runs scenarios by the interpreter again.
+    pub fn interpreted(&mut self) {
+        if let Some(lanes) = &mut self.lanes {
+            lanes.interpreted();
+        }
     }
 
     /// Runs a scenario.
