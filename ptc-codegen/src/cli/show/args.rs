@@ -20,7 +20,8 @@ resolved design, \"chosen\" and \"follows\" list what was open in it. The subjec
   law     {\"law\":\"...\",\"K\":[{\"i\":1,\"terms\":[...]},...],\"row\":[{\"j\":1,\"terms\":[...]},...]};
           for exp_sum {\"law\":\"...\",\"r\":[{\"k\":1,\"terms\":[...]},...]}
           for a mapping given as an expression with \"r\":[{\"k\":1,\"expression\":\"...\"},...] besides
-          for a clock in samples {\"law\":\"...\",\"S\":[[1,0],...],\"row\":[...]}, where its numbers are known
+          for a clock in samples {\"law\":\"...\",\"S\":[[1,0],...],\"row\":[...]}, where
+          its numbers are known
   tables  {\"A1\":[{\"k\":0,\"m\":0,\"terms\":[...]},...],\"A2\":[{\"k\":1,\"terms\":[...]},...]}
 
 LaTeX is a fragment for a document that uses the package amsmath.

@@ -49,7 +49,7 @@ pub(crate) struct Verify {
     /// Run only part I of N, I from 1; --merge gives the verdict
     #[arg(long, value_name = "I/N", requires = "out", conflicts_with_all = ["merge", "scenario", "worst"])]
     pub(crate) shard: Option<String>,
-    /// Runs scenarios by the interpreter of the emitted code or by the emitted C, compiled by the C
+    /// Run scenarios by the interpreter of the emitted code or by the emitted C, compiled by the C
     /// compiler that CC names, or cc; the rows are the same
     #[arg(long, value_enum, value_name = "WAY", default_value_t = Runner::Auto, conflicts_with_all = ["merge", "scenario"])]
     pub(crate) runner: Runner,
