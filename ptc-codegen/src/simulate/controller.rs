@@ -103,6 +103,7 @@ impl Controller {
     }
 
     /// Returns the parameters that are given to its `init`.
+    #[cfg(feature = "lab")]
     pub(super) fn open(&self) -> impl Iterator<Item = Parameter> {
         self.emitted.open.iter().map(|(parameter, _)| *parameter)
     }

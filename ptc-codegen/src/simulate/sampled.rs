@@ -34,6 +34,7 @@ impl Sampled {
     }
 
     /// The controller and the plant.
+    #[cfg(feature = "lab")]
     pub(super) fn parts(&self) -> (&Controller, &Process) {
         (&self.controller, &self.process)
     }

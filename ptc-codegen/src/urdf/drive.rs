@@ -135,4 +135,19 @@ impl Robot {
         }
         Ok(robot)
     }
+
+    /// Describes what the equations of motion leave out.
+    #[cfg_attr(not(feature = "files"), allow(dead_code))]
+    pub(crate) fn left_out(&self) -> String {
+        let any = |part: Part| self.bodies.iter().any(|body| !body.drive.value(part).is_zero());
+        let rotor = any(Part::Rotor);
+        let friction = any(Part::Damping) || any(Part::Friction);
+        let missing = match (rotor, friction) {
+            (false, false) => "friction, springs, the inertia of rotors, and limits of positions",
+            (true, false) => "friction, springs and limits of positions",
+            (false, true) => "springs, the inertia of rotors, and limits of positions",
+            (true, true) => "springs and limits of positions",
+        };
+        format!("Rigid bodies: {missing} are not modelled.")
+    }
 }

@@ -106,7 +106,7 @@ pub fn law(coupled: &Coupled) -> Vec<String> {
         }
         Inverse::Robot(arm) => {
             lines.push("u by the recursive Newton-Euler algorithm: the torques with which the joints have the accelerations v.".to_owned());
-            lines.push(super::robot::bodies(&arm.robot));
+            lines.push(arm.robot.left_out());
         }
     }
     lines

@@ -1,11 +1,9 @@
 //! The head of the files of a robot.
 
-use num_traits::Zero;
-
 use super::Language;
 use super::time::wrap;
 use crate::robot::{Quantity, Request};
-use crate::urdf::{Body, Part, Robot, plain};
+use crate::urdf::{Body, Robot, plain};
 
 /// Lines of the head, without comment signs.
 pub(in crate::emit) fn lines(request: &Request, robot: &Robot, language: Language) -> Vec<String> {
@@ -38,7 +36,7 @@ pub(in crate::emit) fn lines(request: &Request, robot: &Robot, language: Languag
     }
     if request.quantities.contains(&Quantity::InverseDynamics) {
         rest.push("Inverse dynamics by the recursive Newton-Euler algorithm.".to_owned());
-        rest.push(bodies(robot));
+        rest.push(robot.left_out());
     }
     let drives: Vec<_> = robot.bodies.iter().filter_map(drive).collect();
     if !drives.is_empty() {
@@ -59,20 +57,6 @@ pub(in crate::emit) fn lines(request: &Request, robot: &Robot, language: Languag
 
 fn drive(body: &Body) -> Option<String> {
     Some(format!("{} {}", plain(&body.joint), body.drive.text()?))
-}
-
-/// Describes what the equations of motion leave out.
-pub(super) fn bodies(robot: &Robot) -> String {
-    let any = |part: Part| robot.bodies.iter().any(|body| !body.drive.value(part).is_zero());
-    let rotor = any(Part::Rotor);
-    let friction = any(Part::Damping) || any(Part::Friction);
-    let missing = match (rotor, friction) {
-        (false, false) => "friction, springs, the inertia of rotors, and limits of positions",
-        (true, false) => "friction, springs and limits of positions",
-        (false, true) => "springs, the inertia of rotors, and limits of positions",
-        (true, true) => "springs and limits of positions",
-    };
-    format!("Rigid bodies: {missing} are not modelled.")
 }
 
 fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
