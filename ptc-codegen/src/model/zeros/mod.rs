@@ -114,7 +114,14 @@ fn at_origin(
     let divisor = divisor.filter(|_| references.iter().all(|r| *r == Expression::integer(0)))?;
     let mut equations = Equations::new(plant, &[], Names::new());
     let origin = Point::Exact(vec![BigRational::zero(); equations.unknowns.len()]);
-    let zeros = of_divisor(plant, divisor, &mut equations, &origin)?;
+    let zeros = match of_divisor(plant, divisor, &mut equations, &origin)? {
+        // The other states may be elsewhere when the outputs are at rest.
+        Zeros::Singular => Zeros::Open(format!(
+            "{} is 0 at the origin, which is not known to be a rest point: the law divides by it",
+            plant.text(divisor)
+        )),
+        open => open,
+    };
     Some(AtRest { place: "the origin".to_owned(), zeros })
 }
 

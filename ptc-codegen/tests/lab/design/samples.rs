@@ -153,7 +153,7 @@ fn interrupt_reports_the_best_choice() {
     use std::process::{Command, Stdio};
 
     let folder = folder("interrupted", BELT);
-    let child = command_in(&folder, &["design", "wish.toml", "-o", "roll.toml"])
+    let mut child = command_in(&folder, &["design", "wish.toml", "-o", "roll.toml"])
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
         .spawn()
@@ -166,6 +166,8 @@ fn interrupt_reports_the_best_choice() {
         u64::from_str_radix(mask.trim(), 16).expect("a mask") & 2 != 0
     };
     while !is_caught() {
+        // A shell in the background may have had SIGINT ignored.
+        assert!(child.try_wait().expect("a child").is_none(), "it never caught SIGINT");
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
     let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();

@@ -144,7 +144,7 @@ fn what_needs_a_law_is_refused() {
             &["simulate", "encoder.toml", "--x0", "1,0"][..],
             "simulate needs a law, and an observer alone has none",
         ),
-        (&["show", "law", "encoder.toml"], "does not know a clock in samples"),
+        (&["show", "law", "encoder.toml"], "show law needs a law, and an observer alone has none"),
         (&["verify", "encoder.toml"], "a campaign needs a law, and an observer alone has none"),
     ] {
         let (code, out, told) = run_in(&folder, arguments);
